@@ -154,9 +154,12 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag : tag_5;
   signal rows_inside_2 : boolean;
+  signal rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 2, 0 to 24);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 2);
@@ -166,8 +169,9 @@ architecture rtl of stereo_core_ambrosch2007 is
     slice0cost_signs_write_column : natural range 0 to 511;
   signal slice0cost_pair_0 : natural_511_1d(0 to 24);
   signal slice0cost_signs_read_words : unsigned_25_1d(0 to 1);
-  signal slice0cost_signs_ready_words, slice0cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice0cost_signs_ready_words : natural_33554431_1d(0 to 1);
   signal slice0cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice0cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice0cost_difference : natural_255_2d(0 to 1, 0 to 24);
   signal slice0cost_single_0 : natural_255_1d(0 to 24);
   signal slice0cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
@@ -213,8 +217,9 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
   signal slice1cost_pair_0 : natural_511_1d(0 to 24);
   signal slice1cost_signs_read_words : unsigned_25_1d(0 to 1);
-  signal slice1cost_signs_ready_words, slice1cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice1cost_signs_ready_words : natural_33554431_1d(0 to 1);
   signal slice1cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice1cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice1cost_difference : natural_255_2d(0 to 1, 0 to 24);
   signal slice1cost_single_0 : natural_255_1d(0 to 24);
   signal slice1cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
@@ -252,8 +257,9 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
   signal slice2cost_pair_0 : natural_511_1d(0 to 24);
   signal slice2cost_signs_read_words : unsigned_25_1d(0 to 1);
-  signal slice2cost_signs_ready_words, slice2cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice2cost_signs_ready_words : natural_33554431_1d(0 to 1);
   signal slice2cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice2cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice2cost_difference : natural_255_2d(0 to 1, 0 to 24);
   signal slice2cost_single_0 : natural_255_1d(0 to 24);
   signal slice2cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);
@@ -291,8 +297,9 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3cost_signs_difference_column, slice3cost_signs_write_column : natural range 0 to 511;
   signal slice3cost_pair_0 : natural_511_1d(0 to 24);
   signal slice3cost_signs_read_words : unsigned_25_1d(0 to 1);
-  signal slice3cost_signs_ready_words, slice3cost_signs_write_words : natural_33554431_1d(0 to 1);
+  signal slice3cost_signs_ready_words : natural_33554431_1d(0 to 1);
   signal slice3cost_signs_known_words_1 : natural range 0 to 33554431;
+  signal slice3cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice3cost_difference : natural_255_2d(0 to 1, 0 to 24);
   signal slice3cost_single_0 : natural_255_1d(0 to 24);
   signal slice3cost_difference_2 : integer_minus_255_to_255_1d(0 to 24);

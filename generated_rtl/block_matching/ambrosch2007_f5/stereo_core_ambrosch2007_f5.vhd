@@ -158,8 +158,10 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_4;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_4;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_4;
   -- passes
   signal passes_row, passes_coming_output, passes_coming_starts, passes_row_ended, passes_ended_last, passes_arrived,
     passes_shows, passes_showing_output, passes_showing_starts, passes_inside_0, passes_pass_ends, passes_last_pass,
@@ -179,8 +181,9 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal slice0shift_tag : tag_4_b;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 19);
-  signal slice0cost_difference_tag, slice0cost_pair_tag : tag_4_b;
+  signal slice0cost_difference_tag : tag_4_b;
   signal slice0cost_negative_0 : boolean_1d(0 to 19);
+  signal slice0cost_pair_tag : tag_4_b;
   signal slice0cost_tag : tag_3;
   signal slice0cost_pair_0 : natural_511_1d(0 to 19);
   signal slice0cost_single_0 : natural_255_1d(0 to 19);
@@ -220,8 +223,9 @@ architecture rtl of stereo_core_ambrosch2007_f5 is
   signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0,
     best_compared_cost_0_0 : natural range 0 to 2301;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 19;
-  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag, best_best_tag : tag_3_b;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3_b;
   signal best_last_pass, best_here_wins : boolean;
+  signal best_best_tag : tag_3_b;
   signal best_column, best_place_column, best_write_column : natural range 0 to 511;
   signal best_read_words_0 : unsigned(19 downto 0);
   signal best_ready_words_0, best_compared_words_0 : natural range 0 to 1048575;

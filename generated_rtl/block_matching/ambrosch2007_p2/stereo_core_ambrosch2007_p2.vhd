@@ -169,9 +169,11 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_inside : boolean_1d(0 to 1);
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame,
-    rows_read_tag_end_of_line, rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column,
+    rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column,
     rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column,
     rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   signal rows_read_tag_newest_inside, rows_ready_tag_newest_inside, rows_tag_newest_inside : natural range 0 to 3;
@@ -193,11 +195,12 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice0cost_newest_negative : boolean_2d(0 to 1, 0 to 24);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column,
     slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame,
-    slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column,
-    slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line,
-    slice0cost_tag_valid, slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame,
-    slice0cost_tag_end_of_line : boolean;
+    slice0cost_difference_tag_end_of_line : boolean;
   signal slice0cost_single_negative_3 : boolean_1d(0 to 24);
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column,
+    slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid,
+    slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame,
+    slice0cost_tag_end_of_line : boolean;
   signal slice0cost_difference_tag_newest_inside, slice0cost_pair_tag_newest_inside,
     slice0cost_tag_newest_inside : natural range 0 to 3;
   signal slice0cost_column : natural_767_2d(0 to 1, 0 to 24);  -- _#_# up to 766 x 25, 767 x 25

@@ -165,15 +165,21 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
     rows_reference_rows_read_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(7 downto 0);
-  signal rows_search_rows_read_newest, rows_search_rows_ready_newest, rows_reference_rows_read_newest,
-    rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
-  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
-    rows_reference_rows_write_words_1 : natural range 0 to 255;
+  signal rows_search_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_write_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_write_words_1 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 5);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_read_inside : boolean_1d(0 to 1);
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame,
-    rows_read_tag_end_of_line, rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column,
+    rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column,
     rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column,
     rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   signal rows_read_tag_newest_inside, rows_ready_tag_newest_inside, rows_tag_newest_inside : natural range 0 to 15;
@@ -190,17 +196,19 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice0cost_signs_read_words : unsigned_25_1d(0 to 1);
   signal slice0cost_signs_ready_words, slice0cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice0cost_difference : natural_255_2d(0 to 1, 0 to 24);
-  signal slice0cost_single_0, slice0cost_single_5 : natural_255_1d(0 to 24);
+  signal slice0cost_single_0 : natural_255_1d(0 to 24);
   signal slice0cost_single : natural_255_2d(2 to 3, 0 to 24);
+  signal slice0cost_single_5 : natural_255_1d(0 to 24);
   signal slice0cost_differences : integer_minus_255_to_255_2d(2 to 5, 0 to 24);  -- _difference_#_#
   signal slice0cost_newest_negative : boolean_2d(2 to 3, 0 to 24);
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column,
     slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame,
-    slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column,
-    slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line,
-    slice0cost_tag_valid, slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame,
-    slice0cost_tag_end_of_line : boolean;
+    slice0cost_difference_tag_end_of_line : boolean;
   signal slice0cost_negative_1, slice0cost_single_negative_3 : boolean_1d(0 to 24);
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column,
+    slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid,
+    slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame,
+    slice0cost_tag_end_of_line : boolean;
   signal slice0cost_difference_tag_newest_inside, slice0cost_pair_tag_newest_inside,
     slice0cost_tag_newest_inside : natural range 0 to 15;
   signal slice0cost_column : natural_767_2d(0 to 3, 0 to 24);  -- _#_# up to 766 x 25, 767 x 75
@@ -251,8 +259,9 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice1cost_signs_read_words : unsigned_25_1d(0 to 1);
   signal slice1cost_signs_ready_words, slice1cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice1cost_difference : natural_255_2d(0 to 1, 0 to 24);
-  signal slice1cost_single_0, slice1cost_single_5 : natural_255_1d(0 to 24);
+  signal slice1cost_single_0 : natural_255_1d(0 to 24);
   signal slice1cost_single : natural_255_2d(2 to 3, 0 to 24);
+  signal slice1cost_single_5 : natural_255_1d(0 to 24);
   signal slice1cost_differences : integer_minus_255_to_255_2d(2 to 5, 0 to 24);  -- _difference_#_#
   signal slice1cost_newest_negative : boolean_2d(2 to 3, 0 to 24);
   signal slice1cost_negative_1, slice1cost_single_negative_3 : boolean_1d(0 to 24);
@@ -311,8 +320,9 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice2cost_signs_read_words : unsigned_25_1d(0 to 1);
   signal slice2cost_signs_ready_words, slice2cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice2cost_difference : natural_255_2d(0 to 1, 0 to 24);
-  signal slice2cost_single_0, slice2cost_single_5 : natural_255_1d(0 to 24);
+  signal slice2cost_single_0 : natural_255_1d(0 to 24);
   signal slice2cost_single : natural_255_2d(2 to 3, 0 to 24);
+  signal slice2cost_single_5 : natural_255_1d(0 to 24);
   signal slice2cost_differences : integer_minus_255_to_255_2d(2 to 5, 0 to 24);  -- _difference_#_#
   signal slice2cost_newest_negative : boolean_2d(2 to 3, 0 to 24);
   signal slice2cost_negative_1, slice2cost_single_negative_3 : boolean_1d(0 to 24);
@@ -371,8 +381,9 @@ architecture rtl of stereo_core_ambrosch2007_p4 is
   signal slice3cost_signs_read_words : unsigned_25_1d(0 to 1);
   signal slice3cost_signs_ready_words, slice3cost_signs_write_words : natural_33554431_1d(0 to 1);
   signal slice3cost_difference : natural_255_2d(0 to 1, 0 to 24);
-  signal slice3cost_single_0, slice3cost_single_5 : natural_255_1d(0 to 24);
+  signal slice3cost_single_0 : natural_255_1d(0 to 24);
   signal slice3cost_single : natural_255_2d(2 to 3, 0 to 24);
+  signal slice3cost_single_5 : natural_255_1d(0 to 24);
   signal slice3cost_differences : integer_minus_255_to_255_2d(2 to 5, 0 to 24);  -- _difference_#_#
   signal slice3cost_newest_negative : boolean_2d(2 to 3, 0 to 24);
   signal slice3cost_negative_1, slice3cost_single_negative_3 : boolean_1d(0 to 24);

@@ -214,12 +214,17 @@ architecture rtl of stereo_core_census_640_f8 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 2);
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 8);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);
+  signal transform_read_column_inside : boolean_1d(0 to 8);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);
+  signal transform_ready_column_inside : boolean_1d(0 to 8);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);
+  signal transform_columns_column_inside : boolean_1d(0 to 8);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -241,14 +246,20 @@ architecture rtl of stereo_core_census_640_f8 is
   signal delay_tag : tag_5;
   -- rows
   signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
-    rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words, rows_search_rows_write_words, rows_reference_rows_ready_words,
-    rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
+  signal rows_search_rows_read_newest_0 : natural range 0 to 67108863;
+  signal rows_search_rows_ready_words : natural_67108863_1d(0 to 8);
+  signal rows_search_rows_ready_newest_0 : natural range 0 to 67108863;
+  signal rows_search_rows_write_words : natural_67108863_1d(0 to 8);
+  signal rows_reference_rows_read_newest_0 : natural range 0 to 67108863;
+  signal rows_reference_rows_ready_words : natural_67108863_1d(0 to 8);
+  signal rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
+  signal rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
   signal rows_search, rows_reference : natural_67108863_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_5;
   -- passes
   signal passes_row, passes_coming_first_group, passes_coming_output, passes_coming_starts, passes_row_ended,
     passes_arrived, passes_shows, passes_showing_first_group, passes_showing_output, passes_showing_starts,
@@ -331,13 +342,15 @@ architecture rtl of stereo_core_census_640_f8 is
     best_ready_above_0_0, best_ready_first_0_0, best_ready_last_0_0, best_ready_late_cost_0_0, best_ready_second_0_0,
     best_ready_but_first_0_0, best_ready_but_last_0_0, best_ready_words_2, best_compared_below_0_0,
     best_compared_above_0_0, best_compared_first_0_0, best_compared_last_0_0, best_compared_late_cost_0_0,
-    best_compared_second_0_0, best_compared_but_first_0_0, best_compared_but_last_0_0, best_best_cost_0_0,
-    best_best_below_0_0, best_best_above_0_0, best_best_last_0_0, best_best_late_cost_0_0, best_best_second_0_0,
-    best_best_but_last_0_0, best_kept_cost : natural range 0 to 4095;
+    best_compared_second_0_0, best_compared_but_first_0_0, best_compared_but_last_0_0 : natural range 0 to 4095;
   signal best_compared_words : natural_16777215_1d(1 to 2);  -- _# up to 16777215, 4095
-  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag, best_best_tag : tag_3;
+  signal best_best_cost_0_0, best_best_below_0_0, best_best_above_0_0, best_best_last_0_0, best_best_late_cost_0_0,
+    best_best_second_0_0, best_best_but_last_0_0, best_kept_cost : natural range 0 to 4095;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3;
   signal best_first_pass, best_last_pass, best_here_wins, best_here_is_first, best_before_is_last, best_best_place_0_0,
-    best_best_at_start_0_0, best_best_at_end_0_0, best_was_first : boolean;
+    best_best_at_start_0_0, best_best_at_end_0_0 : boolean;
+  signal best_best_tag : tag_3;
+  signal best_was_first : boolean;
   signal best_column, best_late_column, best_place_column, best_write_column,
     best_late_write_column : natural range 0 to 1023;
   signal best_read_words_0 : unsigned(19 downto 0);
@@ -362,8 +375,10 @@ architecture rtl of stereo_core_census_640_f8 is
   signal refinement_scaled_gap_0 : natural range 0 to 81900;
   signal refinement_difference_0 : integer range -4095 to 4095;
   -- winners
-  signal winners_row, winners_winners_passed_0 : boolean;
-  signal winners_read_tag, winners_winners_tag : tag_4_b;
+  signal winners_row : boolean;
+  signal winners_read_tag : tag_4_b;
+  signal winners_winners_passed_0 : boolean;
+  signal winners_winners_tag : tag_4_b;
   signal winners_column : natural range 0 to 1023;
   signal winners_write_address, winners_read_address, winners_address_out : natural range 0 to 2047;
   signal winners_write_word_0 : natural range 0 to 4095;
@@ -375,9 +390,11 @@ architecture rtl of stereo_core_census_640_f8 is
   signal check_read_place, check_columns, check_waiting_place, check_ready_place,
     check_write_place : natural range 0 to 1023;
   signal check_read_counts, check_read_has_before, check_read_row, check_waiting_counts, check_waiting_has_before,
-    check_waiting_row, check_ready_counts, check_ready_has_before, check_ready_row, check_asking_passed_0,
-    check_answered_passed_0, check_checked_passed_0 : boolean;
-  signal check_asking_tag, check_answered_tag : tag_4_b;
+    check_waiting_row, check_ready_counts, check_ready_has_before, check_ready_row, check_asking_passed_0 : boolean;
+  signal check_asking_tag : tag_4_b;
+  signal check_answered_passed_0 : boolean;
+  signal check_answered_tag : tag_4_b;
+  signal check_checked_passed_0 : boolean;
   signal check_checked_tag : tag_5_c;
   signal check_pass : natural range 0 to 7;
   signal check_first : natural range 0 to 1016;
@@ -393,27 +410,29 @@ architecture rtl of stereo_core_census_640_f8 is
     map_sorted_column : natural range 0 to 1023;
   signal map_counter_group : natural range 0 to 511;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
-    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
-    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
-    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
-    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
-  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0, map_of_low_0_a, map_of_low_0_b,
-    map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b,
-    map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a, map_of_all_0_b,
-    map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
   signal map_low_0, map_middle_0, map_high_0 : natural_32767_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
   signal other_0, other_2 : unsigned(48 downto 0);
   signal other_1 : natural range 0 to 8190;

@@ -177,12 +177,14 @@ architecture rtl of stereo_core_deepsea_512 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 6);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 6, 0 to 6);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_read_column_inside, transform_ready_row_inside,
-    transform_ready_column_inside, transform_columns_row_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 6);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 6);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 6);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 6);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 6);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column, transform_ready_column,
@@ -205,15 +207,21 @@ architecture rtl of stereo_core_deepsea_512 is
   signal delay_row_inside : boolean_1d(0 to 1);
   signal delay_tag : tag_9;
   -- rows
-  signal rows_search_rows_read_words, rows_search_rows_ready_words, rows_search_rows_write_words,
-    rows_reference_rows_read_words, rows_reference_rows_ready_words,
-    rows_reference_rows_write_words : unsigned_48_1d(0 to 6);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
-    rows_reference_rows_ready_newest_0 : unsigned(47 downto 0);
+  signal rows_search_rows_read_words : unsigned_48_1d(0 to 6);
+  signal rows_search_rows_read_newest_0 : unsigned(47 downto 0);
+  signal rows_search_rows_ready_words : unsigned_48_1d(0 to 6);
+  signal rows_search_rows_ready_newest_0 : unsigned(47 downto 0);
+  signal rows_search_rows_write_words, rows_reference_rows_read_words : unsigned_48_1d(0 to 6);
+  signal rows_reference_rows_read_newest_0 : unsigned(47 downto 0);
+  signal rows_reference_rows_ready_words : unsigned_48_1d(0 to 6);
+  signal rows_reference_rows_ready_newest_0 : unsigned(47 downto 0);
+  signal rows_reference_rows_write_words : unsigned_48_1d(0 to 6);
   signal rows_search, rows_reference : unsigned_48_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : unsigned_48_2d(0 to 1, 0 to 12);
   signal slice0shift_reference, slice0shift_search_out : unsigned_48_1d(0 to 1);
@@ -223,9 +231,10 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice0cost_pixels_first_tag, slice0cost_pixels_tag, slice0cost_ready_tag : tag_9;
   signal slice0cost_tag : tag_8;
   signal slice0cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
-  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_words_4, slice0cost_ready_column,
-    slice0cost_write_column : natural range 0 to 511;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_words_4,
+    slice0cost_ready_column : natural range 0 to 511;
   signal slice0cost_column_0 : natural_511_1d(0 to 12);
+  signal slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_write_words : natural_134217727_1d(0 to 4);  -- _# up to 134217727 x 4, 511
   signal slice0cost_read_words : unsigned_27_1d(0 to 3);
   signal slice0cost_read_words_4 : unsigned(8 downto 0);
@@ -237,9 +246,9 @@ architecture rtl of stereo_core_deepsea_512 is
   signal slice0window_leaving_4 : unsigned(8 downto 0);
   signal slice0window_entering_0 : natural_511_1d(0 to 12);
   signal slice0window_entering_tag, slice0window_change_tag : tag_8;
-  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0,
-    slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 2);
+  signal slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_2;
   signal slice0window_change_0 : integer_minus_511_to_511_1d(0 to 12);
   signal slice0window_sum_0 : natural_4095_1d(0 to 12);
@@ -270,9 +279,10 @@ architecture rtl of stereo_core_deepsea_512 is
   -- slice1cost
   signal slice1cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- _#_#_count_#
   signal slice1cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
-  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_words_4, slice1cost_ready_column,
-    slice1cost_write_column : natural range 0 to 511;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_words_4,
+    slice1cost_ready_column : natural range 0 to 511;
   signal slice1cost_column_0 : natural_511_1d(0 to 12);
+  signal slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_write_words : natural_134217727_1d(0 to 4);  -- _# up to 134217727 x 4, 511
   signal slice1cost_read_words : unsigned_27_1d(0 to 3);
   signal slice1cost_read_words_4 : unsigned(8 downto 0);
@@ -310,9 +320,10 @@ architecture rtl of stereo_core_deepsea_512 is
   -- slice2cost
   signal slice2cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- _#_#_count_#
   signal slice2cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
-  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_words_4, slice2cost_ready_column,
-    slice2cost_write_column : natural range 0 to 511;
+  signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_words_4,
+    slice2cost_ready_column : natural range 0 to 511;
   signal slice2cost_column_0 : natural_511_1d(0 to 12);
+  signal slice2cost_write_column : natural range 0 to 511;
   signal slice2cost_write_words : natural_134217727_1d(0 to 4);  -- _# up to 134217727 x 4, 511
   signal slice2cost_read_words : unsigned_27_1d(0 to 3);
   signal slice2cost_read_words_4 : unsigned(8 downto 0);
@@ -350,9 +361,10 @@ architecture rtl of stereo_core_deepsea_512 is
   -- slice3cost
   signal slice3cost_pixels_first_count : natural_3_3d(0 to 1, 0 to 12, 0 to 15);  -- _#_#_count_#
   signal slice3cost_pixels_cost : natural_48_2d(0 to 1, 0 to 12);
-  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_words_4, slice3cost_ready_column,
-    slice3cost_write_column : natural range 0 to 511;
+  signal slice3cost_read_column, slice3cost_change_column, slice3cost_ready_words_4,
+    slice3cost_ready_column : natural range 0 to 511;
   signal slice3cost_column_0 : natural_511_1d(0 to 12);
+  signal slice3cost_write_column : natural range 0 to 511;
   signal slice3cost_write_words : natural_134217727_1d(0 to 4);  -- _# up to 134217727 x 4, 511
   signal slice3cost_read_words : unsigned_27_1d(0 to 3);
   signal slice3cost_read_words_4 : unsigned(8 downto 0);

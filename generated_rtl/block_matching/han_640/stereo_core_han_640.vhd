@@ -150,8 +150,10 @@ architecture rtl of stereo_core_han_640 is
     rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_2 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -405,8 +407,9 @@ architecture rtl of stereo_core_han_640 is
   signal slice5window_entering_0 : natural_4095_1d(0 to 2);
   signal slice5window_change_0 : integer_minus_4095_to_4095_1d(0 to 2);
   signal slice5window_sum_0 : natural_32767_1d(0 to 2);
-  signal slice5window_centre_output_column, slice5window_centre_end_of_line : boolean_1d(0 to 2);
+  signal slice5window_centre_output_column : boolean_1d(0 to 2);
   signal slice5window_centre_start_of_frame_2 : boolean;
+  signal slice5window_centre_end_of_line : boolean_1d(0 to 2);
   -- slice5winner1
   signal slice5winner1_best_cost_0 : natural_32767_1d(0 to 1);
   signal slice5winner1_best_index_0_0 : boolean;

@@ -157,8 +157,10 @@ architecture rtl of stereo_core_lee_320 is
     rows_reference_rows_ready_newest_0 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -299,8 +301,9 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3window_entering_0 : natural_4095_1d(0 to 15);
   signal slice3window_change_0 : integer_minus_4095_to_4095_1d(0 to 15);
   signal slice3window_sum_0 : natural_65535_1d(0 to 15);
-  signal slice3window_centre_output_column, slice3window_centre_end_of_line : boolean_1d(0 to 5);
+  signal slice3window_centre_output_column : boolean_1d(0 to 5);
   signal slice3window_centre_start_of_frame_1, slice3window_centre_start_of_frame_4 : boolean;
+  signal slice3window_centre_end_of_line : boolean_1d(0 to 5);
   -- slice3winner1
   signal slice3winner1_best_cost_0 : natural_65535_1d(0 to 7);
   signal slice3winner1_best_index_0_0 : boolean;

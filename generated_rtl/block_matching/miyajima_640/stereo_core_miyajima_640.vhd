@@ -149,8 +149,10 @@ architecture rtl of stereo_core_miyajima_640 is
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
     rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 24);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -175,8 +177,9 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice0window_entering_0 : natural_2047_1d(0 to 24);
   signal slice0window_entering_tag, slice0window_change_tag : tag_9;
   signal slice0window_centre_output_column : boolean_1d(0 to 1);
-  signal slice0window_centre_first_column_0, slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 2);
+  signal slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_2;
   signal slice0window_change_0 : integer_minus_2047_to_2047_1d(0 to 24);
   signal slice0window_sum_0 : natural_16383_1d(0 to 24);

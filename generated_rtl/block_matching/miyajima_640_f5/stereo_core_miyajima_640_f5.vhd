@@ -163,8 +163,10 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
     rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_5;
   signal rows_search, rows_reference : natural range 0 to 65535;
   -- passes
   signal passes_row, passes_coming_first_group, passes_coming_output, passes_coming_starts, passes_row_ended,
@@ -278,8 +280,9 @@ architecture rtl of stereo_core_miyajima_640_f5 is
   signal best_read_cost_0_0, best_waiting_cost_0_0, best_ready_cost_0_0, best_compared_cost_0_0,
     best_best_cost_0_0 : natural range 0 to 16383;
   signal best_read_index_0_0, best_waiting_index_0_0, best_ready_index_0_0 : natural range 0 to 39;
-  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag, best_best_tag : tag_3;
+  signal best_read_tag, best_waiting_tag, best_ready_tag, best_compared_tag : tag_3;
   signal best_last_pass, best_here_wins : boolean;
+  signal best_best_tag : tag_3;
   signal best_column, best_place_column, best_write_column : natural range 0 to 1023;
   signal best_read_words_0 : unsigned(21 downto 0);
   signal best_ready_words_0, best_compared_words_0 : natural range 0 to 4194303;

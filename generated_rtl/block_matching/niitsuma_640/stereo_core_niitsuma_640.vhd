@@ -147,8 +147,10 @@ architecture rtl of stereo_core_niitsuma_640 is
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
     rows_reference_rows_write_words_1 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 13);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);

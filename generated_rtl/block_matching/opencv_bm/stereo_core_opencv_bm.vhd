@@ -199,8 +199,12 @@ architecture rtl of stereo_core_opencv_bm is
   signal rows_search_rows_ready_words_3, rows_search_rows_write_words_3, rows_reference_rows_ready_words_3,
     rows_reference_rows_write_words_3 : natural range 0 to 2097151;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside, rows_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag : tag_9;
+  signal rows_inside : boolean_1d(0 to 1);
+  signal rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_127_2d(0 to 1, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_127_1d(0 to 1);
@@ -225,30 +229,36 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice0window_leaving_5 : unsigned(9 downto 0);
   signal slice0window_entering_0 : natural_1023_1d(0 to 15);
   signal slice0window_entering_tag, slice0window_change_tag : tag_8;
-  signal slice0window_centre_output_column_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 1);
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
   signal slice0window_sum_0 : natural_16383_1d(0 to 15);
   -- slice0winner1
   signal slice0winner1_held_0 : natural_16383_1d(0 to 15);
   signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0,
-    slice0winner1_best_late_cost_0, slice0winner1_best_but_last_0 : natural_16383_1d(0 to 7);
+    slice0winner1_best_late_cost_0 : natural_16383_1d(0 to 7);
   signal slice0winner1_best_but_first_0 : natural_16383_1d(1 to 7);
+  signal slice0winner1_best_but_last_0 : natural_16383_1d(0 to 7);
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid : boolean;
   signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice0winner2
-  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0, slice0winner2_best_last_0,
-    slice0winner2_best_late_cost_0, slice0winner2_best_second_0,
-    slice0winner2_best_but_last_0 : natural_16383_1d(0 to 3);
-  signal slice0winner2_best_first_0, slice0winner2_best_but_first_0 : natural_16383_1d(1 to 3);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_first_0 : natural_16383_1d(1 to 3);
+  signal slice0winner2_best_last_0, slice0winner2_best_late_cost_0,
+    slice0winner2_best_second_0 : natural_16383_1d(0 to 3);
+  signal slice0winner2_best_but_first_0 : natural_16383_1d(1 to 3);
+  signal slice0winner2_best_but_last_0 : natural_16383_1d(0 to 3);
   signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   signal slice0winner2_best_place_0, slice0winner2_best_at_start_0, slice0winner2_best_at_end_0 : boolean_1d(0 to 3);
   signal slice0winner2_tag : tag_4;
   -- slice0winner3
-  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0, slice0winner3_best_last_0,
-    slice0winner3_best_late_cost_0, slice0winner3_best_second_0,
-    slice0winner3_best_but_last_0 : natural_16383_1d(0 to 1);
-  signal slice0winner3_best_first_0_1, slice0winner3_best_but_first_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_first_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_last_0, slice0winner3_best_late_cost_0,
+    slice0winner3_best_second_0 : natural_16383_1d(0 to 1);
+  signal slice0winner3_best_but_first_0_1 : natural range 0 to 16383;
+  signal slice0winner3_best_but_last_0 : natural_16383_1d(0 to 1);
   signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   signal slice0winner3_best_place_0, slice0winner3_best_at_start_0, slice0winner3_best_at_end_0 : boolean_1d(0 to 1);
   signal slice0winner3_tag : tag_4;
@@ -286,9 +296,9 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice1window_entering_0 : natural_1023_1d(0 to 15);
   signal slice1window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
   signal slice1window_change_tag : tag_2;
-  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_1,
-    slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_1 : boolean;
   signal slice1window_centre_start_of_frame : boolean_1d(3 to 5);
+  signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0 : natural_16383_1d(0 to 15);
   -- slice1winner1
   signal slice1winner1_held_0 : natural_16383_1d(0 to 15);
@@ -400,9 +410,10 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3window_leaving_5 : unsigned(9 downto 0);
   signal slice3window_entering_0 : natural_1023_1d(0 to 15);
   signal slice3window_change_0 : integer_minus_1023_to_1023_1d(0 to 15);
-  signal slice3window_change_tag_first_cost, slice3window_centre_start_of_frame_1,
-    slice3window_centre_start_of_frame_5 : boolean;
-  signal slice3window_centre_output_column, slice3window_centre_end_of_line : boolean_1d(0 to 5);
+  signal slice3window_change_tag_first_cost : boolean;
+  signal slice3window_centre_output_column : boolean_1d(0 to 5);
+  signal slice3window_centre_start_of_frame_1, slice3window_centre_start_of_frame_5 : boolean;
+  signal slice3window_centre_end_of_line : boolean_1d(0 to 5);
   signal slice3window_sum_0 : natural_16383_1d(0 to 15);
   -- slice3winner1
   signal slice3winner1_held_0 : natural_16383_1d(0 to 15);
@@ -412,17 +423,21 @@ architecture rtl of stereo_core_opencv_bm is
   signal slice3winner1_best_index_0_0 : boolean;
   signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice3winner2
-  signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0, slice3winner2_best_first_0,
-    slice3winner2_best_late_cost_0, slice3winner2_best_second_0,
+  signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0,
+    slice3winner2_best_first_0 : natural_16383_1d(0 to 3);
+  signal slice3winner2_best_last_0 : natural_16383_1d(0 to 2);
+  signal slice3winner2_best_late_cost_0, slice3winner2_best_second_0,
     slice3winner2_best_but_first_0 : natural_16383_1d(0 to 3);
-  signal slice3winner2_best_last_0, slice3winner2_best_but_last_0 : natural_16383_1d(0 to 2);
+  signal slice3winner2_best_but_last_0 : natural_16383_1d(0 to 2);
   signal slice3winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   signal slice3winner2_best_place_0, slice3winner2_best_at_start_0, slice3winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice3winner3
-  signal slice3winner3_best_cost_0, slice3winner3_best_below_0, slice3winner3_best_above_0, slice3winner3_best_first_0,
-    slice3winner3_best_late_cost_0, slice3winner3_best_second_0,
+  signal slice3winner3_best_cost_0, slice3winner3_best_below_0, slice3winner3_best_above_0,
+    slice3winner3_best_first_0 : natural_16383_1d(0 to 1);
+  signal slice3winner3_best_last_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_late_cost_0, slice3winner3_best_second_0,
     slice3winner3_best_but_first_0 : natural_16383_1d(0 to 1);
-  signal slice3winner3_best_last_0_0, slice3winner3_best_but_last_0_0 : natural range 0 to 16383;
+  signal slice3winner3_best_but_last_0_0 : natural range 0 to 16383;
   signal slice3winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   signal slice3winner3_best_place_0, slice3winner3_best_at_start_0, slice3winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice3winner4

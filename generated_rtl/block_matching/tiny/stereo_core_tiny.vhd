@@ -147,16 +147,19 @@ architecture rtl of stereo_core_tiny is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 2, 0 to 2);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 2);
   signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 2, 0 to 2);
-  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
+  signal slice0cost_difference_tag : tag_5;
   signal slice0cost_negative_0 : boolean_1d(0 to 2);
+  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair_0 : natural_511_1d(0 to 2);
   signal slice0cost_single_0 : natural_255_1d(0 to 2);
   signal slice0cost_column_0 : natural_767_1d(0 to 2);

@@ -152,17 +152,21 @@ architecture rtl of stereo_core_tiny_p2 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_inside_3, rows_ready_inside_3 : boolean;
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_inside_3 : boolean;
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_inside_3 : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 3, 0 to 2);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 3);
   signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 3, 0 to 2);
-  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
+  signal slice0cost_difference_tag : tag_5;
   signal slice0cost_negative_0 : boolean_1d(0 to 2);
+  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair_0 : natural_511_1d(0 to 2);
   signal slice0cost_single_0, slice0cost_single_3 : natural_255_1d(0 to 2);
   signal slice0cost_column : natural_767_2d(0 to 1, 0 to 2);

@@ -149,26 +149,35 @@ architecture rtl of stereo_core_tiny_p4 is
     rows_reference_rows_read_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(7 downto 0);
-  signal rows_search_rows_read_newest, rows_search_rows_ready_newest, rows_reference_rows_read_newest,
-    rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
-  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1, rows_reference_rows_ready_words_1,
-    rows_reference_rows_write_words_1 : natural range 0 to 255;
+  signal rows_search_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_search_rows_write_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_read_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_ready_words_1 : natural range 0 to 255;
+  signal rows_reference_rows_ready_newest : natural_255_1d(0 to 3);
+  signal rows_reference_rows_write_words_1 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 5);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_inside_5, rows_ready_inside_5 : boolean;
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_5;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_inside_5 : boolean;
+  signal rows_read_tag : tag_5;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_inside_5 : boolean;
+  signal rows_ready_tag, rows_tag : tag_5;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 5, 0 to 2);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 5);
   signal slice0shift_tag : tag_5;
   -- slice0cost
   signal slice0cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 2);
-  signal slice0cost_difference_tag, slice0cost_pair_tag, slice0cost_tag : tag_5;
+  signal slice0cost_difference_tag : tag_5;
   signal slice0cost_negative : boolean_2d(0 to 1, 0 to 2);
+  signal slice0cost_pair_tag, slice0cost_tag : tag_5;
   signal slice0cost_pair : natural_511_2d(0 to 1, 0 to 2);
-  signal slice0cost_single_0, slice0cost_single_5 : natural_255_1d(0 to 2);
+  signal slice0cost_single_0 : natural_255_1d(0 to 2);
   signal slice0cost_single : natural_255_2d(2 to 3, 0 to 2);
+  signal slice0cost_single_5 : natural_255_1d(0 to 2);
   signal slice0cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice0window
   signal slice0window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- _#_0_#
@@ -198,8 +207,9 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice1cost_pair : natural_511_2d(0 to 1, 0 to 2);
   signal slice1cost_negative : boolean_2d(0 to 1, 0 to 2);
   signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_single_0, slice1cost_single_5 : natural_255_1d(0 to 2);
+  signal slice1cost_single_0 : natural_255_1d(0 to 2);
   signal slice1cost_single : natural_255_2d(2 to 3, 0 to 2);
+  signal slice1cost_single_5 : natural_255_1d(0 to 2);
   signal slice1cost_column : natural_767_2d(0 to 3, 0 to 2);
   -- slice1window
   signal slice1window_partial_0 : natural_767_2d(0 to 3, 0 to 2);  -- _#_0_#
@@ -222,8 +232,9 @@ architecture rtl of stereo_core_tiny_p4 is
   signal slice2cost_difference : integer_minus_255_to_255_2d(0 to 5, 0 to 1);
   signal slice2cost_pair : natural_511_2d(0 to 1, 0 to 1);
   signal slice2cost_negative : boolean_2d(0 to 1, 0 to 1);
-  signal slice2cost_single_0, slice2cost_single_5 : natural_255_1d(0 to 1);
+  signal slice2cost_single_0 : natural_255_1d(0 to 1);
   signal slice2cost_single : natural_255_2d(2 to 3, 0 to 1);
+  signal slice2cost_single_5 : natural_255_1d(0 to 1);
   signal slice2cost_column : natural_767_2d(0 to 3, 0 to 1);
   -- slice2window
   signal slice2window_partial_0 : natural_767_2d(0 to 3, 0 to 1);  -- _#_0_#

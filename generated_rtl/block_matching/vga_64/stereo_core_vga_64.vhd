@@ -210,12 +210,17 @@ architecture rtl of stereo_core_vga_64 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 2);
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 8);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);
+  signal transform_read_column_inside : boolean_1d(0 to 8);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);
+  signal transform_ready_column_inside : boolean_1d(0 to 8);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);
+  signal transform_columns_column_inside : boolean_1d(0 to 8);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -237,14 +242,20 @@ architecture rtl of stereo_core_vga_64 is
   signal delay_tag : tag_11;
   -- rows
   signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_26_1d(0 to 8);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
-    rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
-  signal rows_search_rows_ready_words, rows_search_rows_write_words, rows_reference_rows_ready_words,
-    rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
+  signal rows_search_rows_read_newest_0 : natural range 0 to 67108863;
+  signal rows_search_rows_ready_words : natural_67108863_1d(0 to 8);
+  signal rows_search_rows_ready_newest_0 : natural range 0 to 67108863;
+  signal rows_search_rows_write_words : natural_67108863_1d(0 to 8);
+  signal rows_reference_rows_read_newest_0 : natural range 0 to 67108863;
+  signal rows_reference_rows_ready_words : natural_67108863_1d(0 to 8);
+  signal rows_reference_rows_ready_newest_0 : natural range 0 to 67108863;
+  signal rows_reference_rows_write_words : natural_67108863_1d(0 to 8);
   signal rows_search, rows_reference : natural_67108863_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_11;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_11;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_11;
   -- slice0shift
   signal slice0shift_search : natural_67108863_2d(0 to 1, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_67108863_1d(0 to 1);
@@ -265,9 +276,10 @@ architecture rtl of stereo_core_vga_64 is
   signal slice0window_leaving : unsigned_32_1d(0 to 3);
   signal slice0window_entering_0 : natural_255_1d(0 to 15);
   signal slice0window_entering_tag, slice0window_change_tag : tag_10;
-  signal slice0window_centre_map_column_0, slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_centre_map_column_0 : boolean;
   signal slice0window_centre_output_column, slice0window_centre_first_column,
     slice0window_centre_start_of_frame : boolean_1d(0 to 3);
+  signal slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_4;
   signal slice0window_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice0window_sum_0 : natural_4095_1d(0 to 15);
@@ -280,25 +292,30 @@ architecture rtl of stereo_core_vga_64 is
   -- slice0winner1
   signal slice0winner1_held_0 : natural_4095_1d(0 to 15);
   signal slice0winner1_best_cost_0, slice0winner1_best_below_0, slice0winner1_best_above_0,
-    slice0winner1_best_late_cost_0, slice0winner1_best_but_last_0 : natural_4095_1d(0 to 7);
+    slice0winner1_best_late_cost_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_but_first_0 : natural_4095_1d(1 to 7);
+  signal slice0winner1_best_but_last_0 : natural_4095_1d(0 to 7);
   signal slice0winner1_best_index_0_0 : boolean;
   signal slice0winner1_best_place_0 : boolean_1d(1 to 3);  -- _2#
   signal slice0winner1_tag : tag_4;
   signal slice0winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice0winner2
-  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0, slice0winner2_best_last_0,
-    slice0winner2_best_late_cost_0, slice0winner2_best_second_0,
-    slice0winner2_best_but_last_0 : natural_4095_1d(0 to 3);
-  signal slice0winner2_best_first_0, slice0winner2_best_but_first_0 : natural_4095_1d(1 to 3);
+  signal slice0winner2_best_cost_0, slice0winner2_best_below_0, slice0winner2_best_above_0 : natural_4095_1d(0 to 3);
+  signal slice0winner2_best_first_0 : natural_4095_1d(1 to 3);
+  signal slice0winner2_best_last_0, slice0winner2_best_late_cost_0,
+    slice0winner2_best_second_0 : natural_4095_1d(0 to 3);
+  signal slice0winner2_best_but_first_0 : natural_4095_1d(1 to 3);
+  signal slice0winner2_best_but_last_0 : natural_4095_1d(0 to 3);
   signal slice0winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   signal slice0winner2_best_place_0, slice0winner2_best_at_start_0, slice0winner2_best_at_end_0 : boolean_1d(0 to 3);
   signal slice0winner2_tag : tag_6;
   -- slice0winner3
-  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0, slice0winner3_best_last_0,
-    slice0winner3_best_late_cost_0, slice0winner3_best_second_0,
-    slice0winner3_best_but_last_0 : natural_4095_1d(0 to 1);
-  signal slice0winner3_best_first_0_1, slice0winner3_best_but_first_0_1 : natural range 0 to 4095;
+  signal slice0winner3_best_cost_0, slice0winner3_best_below_0, slice0winner3_best_above_0 : natural_4095_1d(0 to 1);
+  signal slice0winner3_best_first_0_1 : natural range 0 to 4095;
+  signal slice0winner3_best_last_0, slice0winner3_best_late_cost_0,
+    slice0winner3_best_second_0 : natural_4095_1d(0 to 1);
+  signal slice0winner3_best_but_first_0_1 : natural range 0 to 4095;
+  signal slice0winner3_best_but_last_0 : natural_4095_1d(0 to 1);
   signal slice0winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   signal slice0winner3_best_place_0, slice0winner3_best_at_start_0, slice0winner3_best_at_end_0 : boolean_1d(0 to 1);
   signal slice0winner3_tag : tag_6;
@@ -332,8 +349,9 @@ architecture rtl of stereo_core_vga_64 is
   signal slice1window_entering_0 : natural_255_1d(0 to 15);
   signal slice1window_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice1window_change_tag : tag_4_b;
-  signal slice1window_centre_map_column_0, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_map_column_0 : boolean;
   signal slice1window_centre_output_column, slice1window_centre_first_column : boolean_1d(0 to 3);
+  signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_tag : tag_2;
   signal slice1window_sum_0 : natural_4095_1d(0 to 15);
   -- slice1other
@@ -393,8 +411,9 @@ architecture rtl of stereo_core_vga_64 is
   signal slice2window_entering_0 : natural_255_1d(0 to 15);
   signal slice2window_change_0 : integer_minus_255_to_255_1d(0 to 15);
   signal slice2window_change_tag : tag_4_b;
-  signal slice2window_centre_map_column_0, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_map_column_0 : boolean;
   signal slice2window_centre_output_column, slice2window_centre_first_column : boolean_1d(0 to 2);
+  signal slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0 : natural_4095_1d(0 to 15);
   -- slice2other
   signal slice2other_cost_0 : natural_4095_1d(0 to 15);
@@ -468,17 +487,21 @@ architecture rtl of stereo_core_vga_64 is
   signal slice3winner1_best_place_0 : boolean_1d(1 to 3);  -- _2#
   signal slice3winner1_best_index_0 : natural_15_1d(1 to 7);  -- _# up to 3, 5 .. 15
   -- slice3winner2
-  signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0, slice3winner2_best_first_0,
-    slice3winner2_best_late_cost_0, slice3winner2_best_second_0,
+  signal slice3winner2_best_cost_0, slice3winner2_best_below_0, slice3winner2_best_above_0,
+    slice3winner2_best_first_0 : natural_4095_1d(0 to 3);
+  signal slice3winner2_best_last_0 : natural_4095_1d(0 to 2);
+  signal slice3winner2_best_late_cost_0, slice3winner2_best_second_0,
     slice3winner2_best_but_first_0 : natural_4095_1d(0 to 3);
-  signal slice3winner2_best_last_0, slice3winner2_best_but_last_0 : natural_4095_1d(0 to 2);
+  signal slice3winner2_best_but_last_0 : natural_4095_1d(0 to 2);
   signal slice3winner2_best_index_0 : natural_15_1d(0 to 3);  -- _# up to 3, 7 .. 15
   signal slice3winner2_best_place_0, slice3winner2_best_at_start_0, slice3winner2_best_at_end_0 : boolean_1d(0 to 3);
   -- slice3winner3
-  signal slice3winner3_best_cost_0, slice3winner3_best_below_0, slice3winner3_best_above_0, slice3winner3_best_first_0,
-    slice3winner3_best_late_cost_0, slice3winner3_best_second_0,
+  signal slice3winner3_best_cost_0, slice3winner3_best_below_0, slice3winner3_best_above_0,
+    slice3winner3_best_first_0 : natural_4095_1d(0 to 1);
+  signal slice3winner3_best_last_0_0 : natural range 0 to 4095;
+  signal slice3winner3_best_late_cost_0, slice3winner3_best_second_0,
     slice3winner3_best_but_first_0 : natural_4095_1d(0 to 1);
-  signal slice3winner3_best_last_0_0, slice3winner3_best_but_last_0_0 : natural range 0 to 4095;
+  signal slice3winner3_best_but_last_0_0 : natural range 0 to 4095;
   signal slice3winner3_best_index_0 : natural_15_1d(0 to 1);  -- _# up to 7, 15
   signal slice3winner3_best_place_0, slice3winner3_best_at_start_0, slice3winner3_best_at_end_0 : boolean_1d(0 to 1);
   -- slice3winner4
@@ -514,9 +537,11 @@ architecture rtl of stereo_core_vga_64 is
   signal leftright_other_0 : natural_63_1d(1 to 15);  -- _#_0
   signal leftright_ring_read_address, leftright_ring_write_address, leftright_asking_disparity_0,
     leftright_answered_disparity_0, leftright_checked_disparity_0 : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_answered_passed_0,
-    leftright_checked_passed_0 : boolean;
-  signal leftright_asking_tag, leftright_answered_tag : tag_4_c;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_4_c;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_4_c;
+  signal leftright_checked_passed_0 : boolean;
   signal leftright_checked_tag : tag_5_b;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
@@ -528,29 +553,31 @@ architecture rtl of stereo_core_vga_64 is
     map_sorted_column : natural range 0 to 1023;
   signal map_counter_group : natural range 0 to 511;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
-    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
-    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
-    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
-    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
   signal map_rows_read_words_0 : unsigned(25 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 67108863;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
-  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0, map_of_low_0_a, map_of_low_0_b,
-    map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b,
-    map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a, map_of_all_0_b,
-    map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
   signal map_low_0, map_middle_0, map_high_0 : natural_32767_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
   signal other_0, other_2 : unsigned(48 downto 0);
   signal other_1 : natural range 0 to 8190;

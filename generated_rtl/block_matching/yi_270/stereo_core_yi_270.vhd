@@ -146,8 +146,10 @@ architecture rtl of stereo_core_yi_270 is
     rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_2 : natural range 0 to 255;
   signal rows_search, rows_reference : natural_255_1d(0 to 1);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_255_2d(0 to 1, 0 to 16);
   signal slice0shift_reference, slice0shift_search_out : natural_255_1d(0 to 1);
@@ -172,9 +174,9 @@ architecture rtl of stereo_core_yi_270 is
   signal slice0window_leaving_8 : unsigned(11 downto 0);
   signal slice0window_entering_0 : natural_4095_1d(0 to 16);
   signal slice0window_entering_tag, slice0window_change_tag : tag_6;
-  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0,
-    slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame : boolean_1d(0 to 1);
+  signal slice0window_centre_end_of_line_0 : boolean;
   signal slice0window_tag : tag_4;
   signal slice0window_change_0 : integer_minus_4095_to_4095_1d(0 to 16);
   signal slice0window_sum_0 : natural_32767_1d(0 to 16);
@@ -225,8 +227,9 @@ architecture rtl of stereo_core_yi_270 is
   signal slice1window_entering_0 : natural_4095_1d(0 to 16);
   signal slice1window_change_0 : integer_minus_4095_to_4095_1d(0 to 16);
   signal slice1window_sum_0 : natural_32767_1d(0 to 16);
-  signal slice1window_centre_output_column, slice1window_centre_end_of_line : boolean_1d(0 to 2);
+  signal slice1window_centre_output_column : boolean_1d(0 to 2);
   signal slice1window_centre_start_of_frame : boolean_1d(1 to 2);
+  signal slice1window_centre_end_of_line : boolean_1d(0 to 2);
   -- slice1winner1
   signal slice1winner1_best_cost_0 : natural_32767_1d(0 to 8);
   signal slice1winner1_best_index_0_0 : boolean;

@@ -266,9 +266,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarsetransform_left_0, coarsetransform_right_0, coarsetransform_counter_column,
     coarsetransform_left_rows_read_newest_0, coarsetransform_left_rows_ready_newest_0,
     coarsetransform_right_rows_read_newest_0, coarsetransform_right_rows_ready_newest_0, coarsetransform_read_column,
-    coarsetransform_ready_column, coarsetransform_write_column, coarsetransform_left_code_column_centre,
-    coarsetransform_right_code_column_centre : natural range 0 to 255;
+    coarsetransform_ready_column, coarsetransform_write_column : natural range 0 to 255;
   signal coarsetransform_left_column, coarsetransform_right_column : natural_255_1d(0 to 4);
+  signal coarsetransform_left_code_column_centre, coarsetransform_right_code_column_centre : natural range 0 to 255;
   signal coarsetransform_valid, coarsetransform_counter_next_frame, coarsetransform_from_first_0,
     coarsetransform_up_to_last_0, coarsetransform_columns_inside_0, coarsetransform_columns_start_of_frame,
     coarsetransform_columns_valid : boolean;
@@ -284,13 +284,16 @@ architecture rtl of stereo_core_masrani_640 is
     coarsetransform_right_code_column_near, coarsetransform_right_code_column_outer : natural range 0 to 510;
   signal coarsetransform_left_code_column_upper, coarsetransform_left_code_column_lower,
     coarsetransform_right_code_column_upper, coarsetransform_right_code_column_lower : natural range 0 to 765;
-  signal coarsetransform_left_code_column_response,
-    coarsetransform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal coarsetransform_left_code_row_column, coarsetransform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal coarsetransform_left_code_row_centre, coarsetransform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
-  signal coarsetransform_left_code_column_response_2,
-    coarsetransform_right_code_column_response_2 : natural range 0 to 1530;
-  signal coarsetransform_left_code_row_column_2, coarsetransform_right_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal coarsetransform_left_code_column_response : natural_1021_1d(0 to 1);
+  signal coarsetransform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal coarsetransform_left_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal coarsetransform_right_code_column_response : natural_1021_1d(0 to 1);
+  signal coarsetransform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal coarsetransform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal coarsetransform_left_code_column_response_2 : natural range 0 to 1530;
+  signal coarsetransform_left_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal coarsetransform_right_code_column_response_2 : natural range 0 to 1530;
+  signal coarsetransform_right_code_row_column_2 : natural_1530_1d(0 to 3);
   signal coarsetransform_left_code_row_outer_1, coarsetransform_right_code_row_outer_1 : natural range 0 to 2042;
   signal coarsetransform_left_code_row_outer_2, coarsetransform_right_code_row_outer_2 : natural range 0 to 3060;
   signal coarsetransform_left_code_row_before, coarsetransform_left_code_row_after,
@@ -317,14 +320,18 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarserows_search_rows_read_words_0, coarserows_reference_rows_read_words_0 : unsigned(29 downto 0);
   signal coarserows_search_rows_read_words_1, coarserows_reference_rows_read_words_1 : unsigned(5 downto 0);
   signal coarserows_search_rows_read_newest_0, coarserows_search_rows_ready_words_1,
-    coarserows_search_rows_ready_newest_0, coarserows_reference_rows_read_newest_0,
-    coarserows_reference_rows_ready_words_1, coarserows_reference_rows_ready_newest_0 : natural range 0 to 63;
-  signal coarserows_search_rows_write_words, coarserows_reference_rows_write_words : natural_1073741823_1d(0 to 1);  -- _# up to 1073741823, 63
+    coarserows_search_rows_ready_newest_0 : natural range 0 to 63;
+  signal coarserows_search_rows_write_words : natural_1073741823_1d(0 to 1);  -- _# up to 1073741823, 63
+  signal coarserows_reference_rows_read_newest_0, coarserows_reference_rows_ready_words_1,
+    coarserows_reference_rows_ready_newest_0 : natural range 0 to 63;
+  signal coarserows_reference_rows_write_words : natural_1073741823_1d(0 to 1);  -- _# up to 1073741823, 63
   signal coarserows_search, coarserows_reference : natural_63_1d(0 to 6);
   signal coarserows_search_rows_ready_words_0, coarserows_reference_rows_ready_words_0 : natural range 0 to 1073741823;
   signal coarserows_read_column, coarserows_ready_column, coarserows_write_column : natural range 0 to 255;
-  signal coarserows_read_inside, coarserows_ready_inside : boolean_1d(0 to 6);
-  signal coarserows_read_tag, coarserows_ready_tag, coarserows_tag : tag_7;
+  signal coarserows_read_inside : boolean_1d(0 to 6);
+  signal coarserows_read_tag : tag_7;
+  signal coarserows_ready_inside : boolean_1d(0 to 6);
+  signal coarserows_ready_tag, coarserows_tag : tag_7;
   -- coarseslice0shift
   signal coarseslice0shift_search : natural_63_2d(0 to 6, 0 to 24);
   signal coarseslice0shift_reference, coarseslice0shift_search_out : natural_63_1d(0 to 6);
@@ -344,9 +351,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice0window_partial_0_3 : natural_168_1d(0 to 24);
   signal coarseslice0window_partial_0_4 : natural_210_1d(0 to 24);
   signal coarseslice0window_partial_0_5 : natural_252_1d(0 to 24);
-  signal coarseslice0window_centre_map_column_0, coarseslice0window_centre_start_of_frame_0,
-    coarseslice0window_centre_end_of_line_0 : boolean;
+  signal coarseslice0window_centre_map_column_0 : boolean;
   signal coarseslice0window_centre_output_column, coarseslice0window_centre_first_column : boolean_1d(0 to 2);
+  signal coarseslice0window_centre_start_of_frame_0, coarseslice0window_centre_end_of_line_0 : boolean;
   signal coarseslice0window_tag : tag_6;
   signal coarseslice0window_sum_0 : natural_294_1d(0 to 24);
   -- coarseslice0other
@@ -396,9 +403,9 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseslice1window_partial_0_3 : natural_168_1d(0 to 6);
   signal coarseslice1window_partial_0_4 : natural_210_1d(0 to 6);
   signal coarseslice1window_partial_0_5 : natural_252_1d(0 to 6);
-  signal coarseslice1window_centre_map_column, coarseslice1window_centre_start_of_frame,
-    coarseslice1window_centre_end_of_line : boolean_1d(0 to 1);
+  signal coarseslice1window_centre_map_column : boolean_1d(0 to 1);
   signal coarseslice1window_centre_output_column, coarseslice1window_centre_first_column : boolean_1d(0 to 2);
+  signal coarseslice1window_centre_start_of_frame, coarseslice1window_centre_end_of_line : boolean_1d(0 to 1);
   signal coarseslice1window_sum_0 : natural_294_1d(0 to 6);
   -- coarseslice1other
   signal coarseslice1other_cost_0 : natural_294_1d(1 to 6);
@@ -427,9 +434,12 @@ architecture rtl of stereo_core_masrani_640 is
   signal coarseleftright_other_0 : natural_31_1d(1 to 4);  -- _#_0
   signal coarseleftright_ring_read_address, coarseleftright_ring_write_address,
     coarseleftright_checked_disparity_0 : natural range 0 to 31;
-  signal coarseleftright_holds_winners, coarseleftright_held_valid, coarseleftright_asking_passed_0,
-    coarseleftright_answered_passed_0, coarseleftright_checked_passed_0 : boolean;
-  signal coarseleftright_asking_tag, coarseleftright_answered_tag, coarseleftright_checked_tag : tag_3;
+  signal coarseleftright_holds_winners, coarseleftright_held_valid, coarseleftright_asking_passed_0 : boolean;
+  signal coarseleftright_asking_tag : tag_3;
+  signal coarseleftright_answered_passed_0 : boolean;
+  signal coarseleftright_answered_tag : tag_3;
+  signal coarseleftright_checked_passed_0 : boolean;
+  signal coarseleftright_checked_tag : tag_3;
   signal coarseleftright_position, coarseleftright_held_position, coarseleftright_address_0,
     coarseleftright_asking_disparity_0, coarseleftright_answered_disparity_0 : natural range 0 to 63;
   signal coarseleftright_held_0 : unsigned(12 downto 0);
@@ -453,9 +463,10 @@ architecture rtl of stereo_core_masrani_640 is
   signal ranges_pairs_read_words_0 : unsigned(10 downto 0);
   signal ranges_block_row : natural range 0 to 32767;
   -- targets
-  signal targets_newest_0, targets_rows_read_newest_0, targets_rows_ready_words_1, targets_rows_ready_newest_0,
-    targets_column_range, targets_behind, targets_here, targets_around : natural range 0 to 2047;
+  signal targets_newest_0, targets_rows_read_newest_0, targets_rows_ready_words_1,
+    targets_rows_ready_newest_0 : natural range 0 to 2047;
   signal targets_rows_write_words : natural_4194303_1d(0 to 1);  -- _# up to 4194303, 2047
+  signal targets_column_range, targets_behind, targets_here, targets_around : natural range 0 to 2047;
   signal targets_read_column, targets_walk_place, targets_read_place, targets_ready_place,
     targets_write_column : natural range 0 to 127;
   signal targets_comes, targets_last_row, targets_again, targets_walk_has_above, targets_walk_has_below,
@@ -506,13 +517,16 @@ architecture rtl of stereo_core_masrani_640 is
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0, transform_left_rows_ready_words_2,
     transform_left_rows_ready_newest_0, transform_left_rows_write_words_2, transform_right_rows_read_newest_0,
-    transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0, transform_right_rows_write_words_2,
-    transform_left_code_column_centre, transform_right_code_column_centre : natural range 0 to 255;
+    transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0,
+    transform_right_rows_write_words_2 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 9);
-  signal transform_left_code_column_box_0_0, transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
-  signal transform_valid, transform_counter_next_frame, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
+  signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
+  signal transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
+  signal transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_from_first, transform_up_to_last, transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- _#_inside_#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 7);  -- _#_valid
@@ -524,18 +538,26 @@ architecture rtl of stereo_core_masrani_640 is
     transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 512;
-  signal transform_left_code_column_near, transform_left_code_column_outer, transform_left_code_next_column_centre,
-    transform_right_code_column_near, transform_right_code_column_outer,
-    transform_right_code_next_column_centre : natural range 0 to 510;
-  signal transform_left_code_next_column_box_0_0, transform_right_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_left_code_next_column_centre, transform_right_code_column_near,
+    transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_right_code_next_column_centre : natural range 0 to 510;
   signal transform_left_code_column_upper, transform_left_code_column_lower, transform_right_code_column_upper,
     transform_right_code_column_lower : natural range 0 to 765;
-  signal transform_left_code_column_response, transform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_left_code_row_box_0, transform_left_code_row_centre, transform_right_code_row_box_0,
-    transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
-  signal transform_left_code_row_column, transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_left_code_column_response_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_left_code_row_column_2, transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal transform_left_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_left_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_right_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_left_code_column_response_2 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal transform_right_code_column_response_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
   signal transform_left_code_row_before, transform_left_code_row_after, transform_right_code_row_before,
@@ -544,27 +566,39 @@ architecture rtl of stereo_core_masrani_640 is
     transform_right_code_row_after_2 : natural range 0 to 4591;
   signal transform_left_code_row_even, transform_left_code_row_odd, transform_right_code_row_even,
     transform_right_code_row_odd : natural_16383_1d(1 to 2);
-  signal transform_left_code_row_signs, transform_left_code_bits, transform_left_code_next_row_signs,
-    transform_left_code_next_bits, transform_right_code_row_signs, transform_right_code_bits,
-    transform_right_code_next_row_signs, transform_right_code_next_bits : natural range 0 to 63;
-  signal transform_left_code_earlier, transform_right_code_earlier : natural_63_1d(0 to 1);
+  signal transform_left_code_row_signs : natural range 0 to 63;
+  signal transform_left_code_earlier : natural_63_1d(0 to 1);
+  signal transform_left_code_bits, transform_left_code_next_row_signs, transform_left_code_next_bits,
+    transform_right_code_row_signs : natural range 0 to 63;
+  signal transform_right_code_earlier : natural_63_1d(0 to 1);
+  signal transform_right_code_bits, transform_right_code_next_row_signs,
+    transform_right_code_next_bits : natural range 0 to 63;
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer,
     transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
-  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2,
-    transform_left_code_next_row_box_0_2, transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2,
-    transform_left_code_next_row_after_2, transform_right_code_next_column_upper,
-    transform_right_code_next_column_response_2, transform_right_code_next_row_box_0_2,
-    transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2,
+  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
+  signal transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
+  signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2,
+    transform_left_code_next_row_after_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
+  signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
+  signal transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
+  signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2,
     transform_right_code_next_row_after_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_earlier_0_0, transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
-  signal transform_left_code_next_row_column_2, transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
-  signal transform_left_code_next_row_even, transform_right_code_next_row_even : natural_65535_1d(1 to 2);
-  signal transform_left_code_next_row_odd, transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
+  signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
   signal transform_left_code_next_column_response, transform_right_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_left_code_next_row_box_0, transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
-  signal transform_left_code_next_row_column, transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_left_code_next_row_centre, transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
+  signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_left_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
+  signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
   signal transform_left_code_next_row_outer, transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
   signal transform_left_code_next_row_before, transform_left_code_next_row_after, transform_right_code_next_row_before,
     transform_right_code_next_row_after : natural_12247_1d(0 to 1);
@@ -581,13 +615,16 @@ architecture rtl of stereo_core_masrani_640 is
   signal bases_address : natural_1023_1d(0 to 2);
   signal bases_asked_column, bases_read_column, bases_ready_column, bases_wanted_column,
     bases_stands_column : natural range 0 to 1023;
-  signal bases_asked_limit, bases_read_limit, bases_ready_limit, bases_from_0_2 : natural range 0 to 65535;
+  signal bases_asked_limit, bases_read_limit : natural range 0 to 65535;
   signal bases_ready_targets : natural_65535_1d(0 to 2);
+  signal bases_ready_limit : natural range 0 to 65535;
   signal bases_base : natural_65535_2d(0 to 1, 0 to 2);
+  signal bases_from_0_2 : natural range 0 to 65535;
   signal bases_asked_head, bases_asked_frame_starts, bases_asked_valid, bases_read_head, bases_read_frame_starts,
     bases_read_valid, bases_ready_head, bases_ready_frame_starts, bases_ready_valid, bases_wanted_head,
-    bases_wanted_frame_starts, bases_wanted_valid, bases_stands_frame_starts, bases_stands_valid : boolean;
+    bases_wanted_frame_starts, bases_wanted_valid : boolean;
   signal bases_rises, bases_falls : boolean_2d(0 to 1, 0 to 1);
+  signal bases_stands_frame_starts, bases_stands_valid : boolean;
   signal bases_read_targets : unsigned_16_1d(0 to 2);
   signal bases_goal : natural_255_2d(0 to 1, 0 to 2);
   signal bases_from : natural_8191_2d(0 to 1, 0 to 1);
@@ -618,8 +655,10 @@ architecture rtl of stereo_core_masrani_640 is
   signal compared_rows_write_words : natural_16777215_1d(0 to 4);  -- _# up to 16777215 x 4, 4095
   signal compared_held_reference : natural_4095_2d(0 to 7, 0 to 1);  -- _#_reference_#
   signal compared_rows_ready_words : natural_16777215_1d(0 to 3);
-  signal compared_read_inside, compared_ready_inside : boolean_1d(0 to 1);
-  signal compared_read_tag, compared_ready_tag : tag_8;
+  signal compared_read_inside : boolean_1d(0 to 1);
+  signal compared_read_tag : tag_8;
+  signal compared_ready_inside : boolean_1d(0 to 1);
+  signal compared_ready_tag : tag_8;
   signal compared_held_inside : boolean_2d(0 to 7, 0 to 1);  -- _#_inside_#
   signal compared_tags_row_start : boolean_1d(0 to 7);  -- _#_row_start
   signal compared_tags_first_group : boolean_1d(0 to 7);  -- _#_first_group

@@ -172,13 +172,15 @@ architecture rtl of stereo_core_parts_320 is
   signal transform_left_0, transform_right_0, transform_counter_group, transform_left_rows_read_newest_0,
     transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0, transform_left_rows_write_words_2,
     transform_right_rows_read_newest_0, transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0,
-    transform_right_rows_write_words_2, transform_left_code_column_centre,
-    transform_right_code_column_centre : natural range 0 to 255;
+    transform_right_rows_write_words_2 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 9);
-  signal transform_left_code_column_box_0_0, transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
-  signal transform_valid, transform_counter_next_frame, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
+  signal transform_left_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
+  signal transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0 : natural_255_1d(0 to 4);  -- _#_0
+  signal transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame : boolean;
   signal transform_from_first, transform_up_to_last, transform_columns_inside : boolean_1d(0 to 1);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
   signal transform_filtering_inside : boolean_2d(0 to 6, 0 to 1);  -- _#_inside_#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 7);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 7);  -- _#_valid
@@ -189,18 +191,26 @@ architecture rtl of stereo_core_parts_320 is
     transform_right_rows_write_words : unsigned_32_1d(0 to 1);
   signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
   signal transform_centre_group : natural range 0 to 256;
-  signal transform_left_code_column_near, transform_left_code_column_outer, transform_left_code_next_column_centre,
-    transform_right_code_column_near, transform_right_code_column_outer,
-    transform_right_code_next_column_centre : natural range 0 to 510;
-  signal transform_left_code_next_column_box_0_0, transform_right_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_left_code_next_column_centre, transform_right_code_column_near,
+    transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0 : natural_510_1d(0 to 4);  -- _#_0
+  signal transform_right_code_next_column_centre : natural range 0 to 510;
   signal transform_left_code_column_upper, transform_left_code_column_lower, transform_right_code_column_upper,
     transform_right_code_column_lower : natural range 0 to 765;
-  signal transform_left_code_column_response, transform_right_code_column_response : natural_1021_1d(0 to 1);
-  signal transform_left_code_row_box_0, transform_left_code_row_centre, transform_right_code_row_box_0,
-    transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
-  signal transform_left_code_row_column, transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
-  signal transform_left_code_column_response_2, transform_right_code_column_response_2 : natural range 0 to 1530;
-  signal transform_left_code_row_column_2, transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal transform_left_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_left_code_row_box_0 : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_left_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_left_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_right_code_column_response : natural_1021_1d(0 to 1);
+  signal transform_right_code_row_box_0 : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_right_code_row_column : natural_1021_2d(0 to 1, 0 to 3);
+  signal transform_right_code_row_centre : natural_1530_1d(0 to 2);  -- _# up to 1021, 1021, 1530
+  signal transform_left_code_column_response_2 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2 : natural_1530_1d(0 to 3);
+  signal transform_right_code_column_response_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2 : natural_1530_1d(0 to 3);
   signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
   signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
   signal transform_left_code_row_before, transform_left_code_row_after, transform_right_code_row_before,
@@ -209,27 +219,39 @@ architecture rtl of stereo_core_parts_320 is
     transform_right_code_row_after_2 : natural range 0 to 4591;
   signal transform_left_code_row_even, transform_left_code_row_odd, transform_right_code_row_even,
     transform_right_code_row_odd : natural_16383_1d(1 to 2);
-  signal transform_left_code_row_signs, transform_left_code_bits, transform_left_code_next_row_signs,
-    transform_left_code_next_bits, transform_right_code_row_signs, transform_right_code_bits,
-    transform_right_code_next_row_signs, transform_right_code_next_bits : natural range 0 to 63;
-  signal transform_left_code_earlier, transform_right_code_earlier : natural_63_1d(0 to 1);
+  signal transform_left_code_row_signs : natural range 0 to 63;
+  signal transform_left_code_earlier : natural_63_1d(0 to 1);
+  signal transform_left_code_bits, transform_left_code_next_row_signs, transform_left_code_next_bits,
+    transform_right_code_row_signs : natural range 0 to 63;
+  signal transform_right_code_earlier : natural_63_1d(0 to 1);
+  signal transform_right_code_bits, transform_right_code_next_row_signs,
+    transform_right_code_next_bits : natural range 0 to 63;
   signal transform_left_code_next_column_near, transform_left_code_next_column_outer,
     transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
-  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2,
-    transform_left_code_next_row_box_0_2, transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2,
-    transform_left_code_next_row_after_2, transform_right_code_next_column_upper,
-    transform_right_code_next_column_response_2, transform_right_code_next_row_box_0_2,
-    transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2,
+  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
+  signal transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2 : natural_65535_1d(0 to 7);
+  signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2,
+    transform_left_code_next_row_after_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_left_code_next_row_odd : natural_65535_1d(0 to 2);
+  signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
+  signal transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
+  signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2,
     transform_right_code_next_row_after_2 : natural range 0 to 65535;
-  signal transform_left_code_next_row_earlier_0_0, transform_right_code_next_row_earlier_0_0 : natural_65535_1d(0 to 2);  -- _#_0 up to 2041, 2041, 65535
-  signal transform_left_code_next_row_column_2, transform_right_code_next_row_column_2 : natural_65535_1d(0 to 7);
-  signal transform_left_code_next_row_even, transform_right_code_next_row_even : natural_65535_1d(1 to 2);
-  signal transform_left_code_next_row_odd, transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
+  signal transform_right_code_next_row_even : natural_65535_1d(1 to 2);
+  signal transform_right_code_next_row_odd : natural_65535_1d(0 to 2);
   signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
   signal transform_left_code_next_column_response, transform_right_code_next_column_response : natural_2041_1d(0 to 1);
-  signal transform_left_code_next_row_box_0, transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
-  signal transform_left_code_next_row_column, transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
-  signal transform_left_code_next_row_centre, transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
+  signal transform_left_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_left_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_left_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
+  signal transform_right_code_next_row_box_0 : natural_4082_1d(0 to 1);
+  signal transform_right_code_next_row_column : natural_4082_2d(0 to 1, 0 to 7);
+  signal transform_right_code_next_row_centre : natural_32767_1d(0 to 2);  -- _# up to 4082, 4082, 32767
   signal transform_left_code_next_row_outer, transform_right_code_next_row_outer : natural_8164_1d(0 to 1);
   signal transform_left_code_next_row_before, transform_left_code_next_row_after, transform_right_code_next_row_before,
     transform_right_code_next_row_after : natural_12247_1d(0 to 1);
@@ -248,15 +270,19 @@ architecture rtl of stereo_core_parts_320 is
   -- rows
   signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 3);
   signal rows_search_rows_read_words_4, rows_reference_rows_read_words_4 : unsigned(11 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_4, rows_search_rows_ready_newest_0,
-    rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_4,
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_4,
+    rows_search_rows_ready_newest_0 : natural range 0 to 4095;
+  signal rows_search_rows_write_words : natural_16777215_1d(0 to 4);  -- _# up to 16777215 x 4, 4095
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_4,
     rows_reference_rows_ready_newest_0 : natural range 0 to 4095;
-  signal rows_search_rows_write_words, rows_reference_rows_write_words : natural_16777215_1d(0 to 4);  -- _# up to 16777215 x 4, 4095
+  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 4);  -- _# up to 16777215 x 4, 4095
   signal rows_search, rows_reference : natural_4095_1d(0 to 1);
   signal rows_search_rows_ready_words, rows_reference_rows_ready_words : natural_16777215_1d(0 to 3);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 1);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_9;
+  signal rows_read_inside : boolean_1d(0 to 1);
+  signal rows_read_tag : tag_9;
+  signal rows_ready_inside : boolean_1d(0 to 1);
+  signal rows_ready_tag, rows_tag : tag_9;
   -- slice0shift
   signal slice0shift_search : natural_4095_2d(0 to 1, 0 to 11);
   signal slice0shift_reference, slice0shift_search_out : natural_4095_1d(0 to 1);
@@ -327,23 +353,24 @@ architecture rtl of stereo_core_parts_320 is
   signal slice1window_entering_0 : natural_255_1d(0 to 11);
   signal slice1window_change_0 : integer_minus_255_to_255_1d(0 to 11);
   signal slice1window_sum_0 : natural_2047_1d(0 to 11);
-  signal slice1window_centre_output_column, slice1window_centre_end_of_line : boolean_1d(0 to 2);
+  signal slice1window_centre_output_column : boolean_1d(0 to 2);
   signal slice1window_centre_start_of_frame : boolean_1d(0 to 1);
+  signal slice1window_centre_end_of_line : boolean_1d(0 to 2);
   -- slice1winner1
-  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0,
-    slice1winner1_best_last_0 : natural_2047_1d(0 to 5);
+  signal slice1winner1_best_cost_0, slice1winner1_best_below_0, slice1winner1_best_above_0 : natural_2047_1d(0 to 5);
   signal slice1winner1_best_first_0 : natural_2047_1d(1 to 5);
+  signal slice1winner1_best_last_0 : natural_2047_1d(0 to 5);
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0 : natural_11_1d(1 to 5);  -- _# up to 3, 5 .. 11
   -- slice1winner2
-  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0,
-    slice1winner2_best_last_0 : natural_2047_1d(0 to 2);
+  signal slice1winner2_best_cost_0, slice1winner2_best_below_0, slice1winner2_best_above_0 : natural_2047_1d(0 to 2);
   signal slice1winner2_best_first_0 : natural_2047_1d(1 to 2);
+  signal slice1winner2_best_last_0 : natural_2047_1d(0 to 2);
   signal slice1winner2_best_index_0 : natural_11_1d(0 to 2);  -- _# up to 3, 7, 11
   -- slice1winner3
-  signal slice1winner3_best_cost_0, slice1winner3_best_below_0, slice1winner3_best_above_0,
-    slice1winner3_best_last_0 : natural_2047_1d(0 to 1);
+  signal slice1winner3_best_cost_0, slice1winner3_best_below_0, slice1winner3_best_above_0 : natural_2047_1d(0 to 1);
   signal slice1winner3_best_first_0_1 : natural range 0 to 2047;
+  signal slice1winner3_best_last_0 : natural_2047_1d(0 to 1);
   signal slice1winner3_best_index_0 : natural_11_1d(0 to 1);  -- _# up to 7, 11
   -- slice1winner4
   signal slice1winner4_best_cost_0_0, slice1winner4_best_below_0_0, slice1winner4_best_above_0_0,

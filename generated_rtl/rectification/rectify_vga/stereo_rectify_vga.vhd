@@ -169,8 +169,9 @@ architecture rtl of stereo_rectify_vga is
     leftoffsets_y_right_from, leftoffsets_y_row_value : natural range 0 to 65535;
   signal leftoffsets_x_left_difference, leftoffsets_x_right_difference, leftoffsets_y_left_difference,
     leftoffsets_y_right_difference : integer range -65535 to 65535;
-  signal leftoffsets_x_left_part, leftoffsets_x_row_part : natural range 0 to 15;
+  signal leftoffsets_x_left_part : natural range 0 to 15;
   signal leftoffsets_x_weight_x_held : natural_15_1d(0 to 2);
+  signal leftoffsets_x_row_part : natural range 0 to 15;
   signal leftoffsets_x_left_base, leftoffsets_x_right_base, leftoffsets_y_left_base,
     leftoffsets_y_right_base : natural range 0 to 1048560;
   signal leftoffsets_x_left_value, leftoffsets_x_right_value, leftoffsets_x_row_from, leftoffsets_y_left_value,
@@ -242,8 +243,9 @@ architecture rtl of stereo_rectify_vga is
   signal leftsampler_rows_even_even_read_word, leftsampler_rows_even_odd_read_word,
     leftsampler_rows_odd_even_read_word, leftsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal leftsampler_weight_x_held, leftsampler_weight_y_held : natural_31_1d(0 to 3);
-  signal leftsampler_pixel_left_part, leftsampler_pixel_row_part : natural range 0 to 31;
+  signal leftsampler_pixel_left_part : natural range 0 to 31;
   signal leftsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
+  signal leftsampler_pixel_row_part : natural range 0 to 31;
   signal leftsampler_shown_held : natural_15_1d(0 to 3);
   signal leftsampler_pixel_left_difference, leftsampler_pixel_right_difference : integer range -255 to 255;
   signal leftsampler_pixel_left_base, leftsampler_pixel_right_base : natural range 0 to 8160;
@@ -264,8 +266,9 @@ architecture rtl of stereo_rectify_vga is
     rightsampler_rows_odd_even_read_word, rightsampler_rows_odd_odd_read_word : unsigned(7 downto 0);
   signal rightsampler_rows_row_odd, rightsampler_rows_column_odd : boolean_1d(0 to 3);
   signal rightsampler_weight_x_held, rightsampler_weight_y_held : natural_31_1d(0 to 3);
-  signal rightsampler_pixel_left_part, rightsampler_pixel_row_part : natural range 0 to 31;
+  signal rightsampler_pixel_left_part : natural range 0 to 31;
   signal rightsampler_pixel_weight_x_held : natural_31_1d(0 to 2);
+  signal rightsampler_pixel_row_part : natural range 0 to 31;
   signal rightsampler_shown_held : natural_15_1d(0 to 3);
   signal rightsampler_pixel_left_difference, rightsampler_pixel_right_difference : integer range -255 to 255;
   signal rightsampler_pixel_left_base, rightsampler_pixel_right_base : natural range 0 to 8160;

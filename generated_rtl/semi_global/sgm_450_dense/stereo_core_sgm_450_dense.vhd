@@ -218,12 +218,17 @@ architecture rtl of stereo_core_sgm_450_dense is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);  -- _2#
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- _#_2#
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_counter_group, transform_read_column, transform_ready_column,
@@ -249,8 +254,10 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_6;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_6;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_6;
   -- slice0shift
   signal slice0shift_search : natural_16383_2d(0 to 2, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_16383_1d(0 to 2);
@@ -345,11 +352,12 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal slice3_held_0 : natural_15_1d(0 to 15);
   -- entry
   signal entry_next_cost, entry_cost : natural_15_1d(0 to 63);
-  signal entry_next_tag, entry_tag : tag_4;
+  signal entry_next_tag : tag_4;
   signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output,
     entry_order_first, entry_order_held_output, entry_order_turned_output_column, entry_order_turned_first_column,
-    entry_order_turned_start_of_frame, entry_top, entry_turned_output_column, entry_turned_first_column,
-    entry_turned_start_of_frame : boolean;
+    entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_top, entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 511;
   -- forward
   signal forward_smallest_smallest : natural_15_1d(0 to 31);
@@ -368,26 +376,31 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_left_pair : natural_127_1d(0 to 31);
   signal forward_left_tree_smallest : natural_127_1d(0 to 15);
   signal forward_left_tree_next_smallest : natural_127_1d(0 to 7);
-  signal forward_left_tree_next_next_smallest, forward_left_g_copy, forward_left_g_less_copy : natural_127_1d(0 to 3);
+  signal forward_left_tree_next_next_smallest : natural_127_1d(0 to 3);
   signal forward_left_tree_next_next_next_smallest : natural_127_1d(0 to 1);
   signal forward_left_tree_next_next_next_next_smallest_0, forward_left_smallest, forward_left_smallest_less,
     forward_left_relief_leaves : natural range 0 to 127;
+  signal forward_left_g_copy, forward_left_g_less_copy : natural_127_1d(0 to 3);
   signal forward_left_stay_change, forward_left_step_change, forward_left_cost, forward_left_arrived,
     forward_sum : natural_127_1d(0 to 63);
   signal forward_left_start_cost : natural_63_1d(0 to 8);
   signal forward_left_room : natural range 0 to 63;
   signal forward_left_first : boolean_1d(0 to 2);
-  signal forward_above_ready_top, forward_above_writes_copy_0 : boolean;
+  signal forward_above_ready_top : boolean;
   signal forward_above_comes : boolean_1d(0 to 11);
+  signal forward_above_writes_copy_0 : boolean;
   signal forward_first : boolean_1d(0 to 10);
   signal forward_left_relief_next : natural_31_1d(0 to 3);
   signal forward_left_relief_past : natural_31_1d(0 to 7);
   signal forward_left_relief_pairs : natural_31_1d(0 to 1);
   signal forward_left_relief_fours : natural_31_1d(0 to 2);
   signal forward_left_relief_older, forward_left_relief_recent, forward_left_relief_largest,
-    forward_left_relief_beyond, forward_above_own_0, forward_above_own_63 : natural range 0 to 31;
-  signal forward_above_cost, forward_above_beside, forward_above_stay : natural_31_1d(0 to 63);
+    forward_left_relief_beyond : natural range 0 to 31;
+  signal forward_above_cost, forward_above_beside : natural_31_1d(0 to 63);
+  signal forward_above_own_0 : natural range 0 to 31;
   signal forward_above_own : natural_31_1d(2 to 61);
+  signal forward_above_own_63 : natural range 0 to 31;
+  signal forward_above_stay : natural_31_1d(0 to 63);
   signal forward_reliefs_moved : natural_31_1d(0 to 10);
   signal forward_left_relief_reach_of_best : natural range 0 to 255;
   signal forward_left_relief_room_of_best : natural range 0 to 158;
@@ -400,9 +413,10 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal forward_above_tree_smallest : natural_46_1d(0 to 31);
   signal forward_above_tree_next_smallest : natural_46_1d(0 to 15);
   signal forward_above_tree_next_next_smallest : natural_46_1d(0 to 7);
-  signal forward_above_tree_next_next_next_smallest, forward_above_smallest_copy : natural_46_1d(0 to 3);
+  signal forward_above_tree_next_next_next_smallest : natural_46_1d(0 to 3);
   signal forward_above_tree_next_next_next_next_smallest : natural_46_1d(0 to 1);
   signal forward_above_tree_next_next_next_next_next_smallest_0 : natural range 0 to 46;
+  signal forward_above_smallest_copy : natural_46_1d(0 to 3);
   signal forward_above_step : natural_36_1d(0 to 63);
   signal forward_above_column : natural_511_1d(0 to 11);
   signal forward_above_write_column : natural range 0 to 511;
@@ -417,7 +431,7 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0,
     sums_right_relief_reach_of_best : natural range 0 to 255;
   signal sums_sum_0 : natural_255_1d(0 to 63);
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0 : boolean;
   signal sums_turn_waiting_first : boolean_1d(0 to 5);
   signal sums_right_first : boolean_1d(0 to 2);
   signal sums_tag : tag_6;
@@ -426,16 +440,18 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal sums_tags_held_end_of_line : boolean_1d(0 to 15);  -- _#_end_of_line
   signal sums_tags_held_map_column : boolean_1d(12 to 15);  -- _#_map_column
   signal sums_tags_held_first_column : boolean_1d(12 to 15);  -- _#_first_column
+  signal sums_tags_moved : boolean;
   signal sums_turn_place : natural_511_1d(0 to 10);
   signal sums_turn_write_place, sums_turn_waiting_read_place : natural range 0 to 511;
   signal sums_cost : natural_7_2d(0 to 1, 0 to 63);
   signal sums_right_pair : natural_127_1d(0 to 31);
   signal sums_right_tree_smallest : natural_127_1d(0 to 15);
   signal sums_right_tree_next_smallest : natural_127_1d(0 to 7);
-  signal sums_right_tree_next_next_smallest, sums_right_g_copy, sums_right_g_less_copy : natural_127_1d(0 to 3);
+  signal sums_right_tree_next_next_smallest : natural_127_1d(0 to 3);
   signal sums_right_tree_next_next_next_smallest : natural_127_1d(0 to 1);
   signal sums_right_tree_next_next_next_next_smallest_0, sums_right_smallest, sums_right_smallest_less,
     sums_right_relief_leaves : natural range 0 to 127;
+  signal sums_right_g_copy, sums_right_g_less_copy : natural_127_1d(0 to 3);
   signal sums_right_stay_change, sums_right_step_change, sums_right_cost, sums_right_arrived : natural_127_1d(0 to 63);
   signal sums_right_start_cost : natural_63_1d(0 to 8);
   signal sums_right_room : natural range 0 to 63;
@@ -466,35 +482,41 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal winnerswinner1_tag : tag_6;
   signal winnerswinner1_best_index_0 : natural_63_1d(1 to 31);  -- _# up to 3, 5 .. 63
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0, winnerswinner2_best_below_0, winnerswinner2_best_above_0,
-    winnerswinner2_best_late_cost_0, winnerswinner2_best_second_0 : natural_255_1d(0 to 15);
-  signal winnerswinner2_best_first_0, winnerswinner2_best_but_first_0 : natural_255_1d(1 to 15);
-  signal winnerswinner2_best_last_0, winnerswinner2_best_but_last_0 : natural_255_1d(0 to 14);
+  signal winnerswinner2_best_cost_0, winnerswinner2_best_below_0, winnerswinner2_best_above_0 : natural_255_1d(0 to 15);
+  signal winnerswinner2_best_first_0 : natural_255_1d(1 to 15);
+  signal winnerswinner2_best_last_0 : natural_255_1d(0 to 14);
+  signal winnerswinner2_best_late_cost_0, winnerswinner2_best_second_0 : natural_255_1d(0 to 15);
+  signal winnerswinner2_best_but_first_0 : natural_255_1d(1 to 15);
+  signal winnerswinner2_best_but_last_0 : natural_255_1d(0 to 14);
   signal winnerswinner2_best_index_0 : natural_63_1d(0 to 15);  -- _# up to 3, 7 .. 63
   signal winnerswinner2_best_place_0, winnerswinner2_best_at_start_0,
     winnerswinner2_best_at_end_0 : boolean_1d(0 to 15);
   signal winnerswinner2_tag : tag_6;
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0, winnerswinner3_best_below_0, winnerswinner3_best_above_0,
-    winnerswinner3_best_late_cost_0, winnerswinner3_best_second_0 : natural_255_1d(0 to 7);
-  signal winnerswinner3_best_first_0, winnerswinner3_best_but_first_0 : natural_255_1d(1 to 7);
-  signal winnerswinner3_best_last_0, winnerswinner3_best_but_last_0 : natural_255_1d(0 to 6);
+  signal winnerswinner3_best_cost_0, winnerswinner3_best_below_0, winnerswinner3_best_above_0 : natural_255_1d(0 to 7);
+  signal winnerswinner3_best_first_0 : natural_255_1d(1 to 7);
+  signal winnerswinner3_best_last_0 : natural_255_1d(0 to 6);
+  signal winnerswinner3_best_late_cost_0, winnerswinner3_best_second_0 : natural_255_1d(0 to 7);
+  signal winnerswinner3_best_but_first_0 : natural_255_1d(1 to 7);
+  signal winnerswinner3_best_but_last_0 : natural_255_1d(0 to 6);
   signal winnerswinner3_best_index_0 : natural_63_1d(0 to 7);  -- _# up to 7, 15 .. 63
   signal winnerswinner3_best_place_0, winnerswinner3_best_at_start_0, winnerswinner3_best_at_end_0 : boolean_1d(0 to 7);
   signal winnerswinner3_tag : tag_6;
   -- winnerswinner4
-  signal winnerswinner4_best_cost_0, winnerswinner4_best_below_0, winnerswinner4_best_above_0,
-    winnerswinner4_best_late_cost_0, winnerswinner4_best_second_0 : natural_255_1d(0 to 3);
-  signal winnerswinner4_best_first_0, winnerswinner4_best_but_first_0 : natural_255_1d(1 to 3);
-  signal winnerswinner4_best_last_0, winnerswinner4_best_but_last_0 : natural_255_1d(0 to 2);
+  signal winnerswinner4_best_cost_0, winnerswinner4_best_below_0, winnerswinner4_best_above_0 : natural_255_1d(0 to 3);
+  signal winnerswinner4_best_first_0 : natural_255_1d(1 to 3);
+  signal winnerswinner4_best_last_0 : natural_255_1d(0 to 2);
+  signal winnerswinner4_best_late_cost_0, winnerswinner4_best_second_0 : natural_255_1d(0 to 3);
+  signal winnerswinner4_best_but_first_0 : natural_255_1d(1 to 3);
+  signal winnerswinner4_best_but_last_0 : natural_255_1d(0 to 2);
   signal winnerswinner4_best_index_0 : natural_63_1d(0 to 3);  -- _# up to 15, 31 .. 63
   signal winnerswinner4_best_place_0, winnerswinner4_best_at_start_0, winnerswinner4_best_at_end_0 : boolean_1d(0 to 3);
   signal winnerswinner4_tag : tag_6;
   -- winnerswinner5
-  signal winnerswinner5_best_cost_0, winnerswinner5_best_below_0, winnerswinner5_best_above_0,
-    winnerswinner5_best_late_cost_0, winnerswinner5_best_second_0 : natural_255_1d(0 to 1);
-  signal winnerswinner5_best_first_0_1, winnerswinner5_best_last_0_0, winnerswinner5_best_but_first_0_1,
-    winnerswinner5_best_but_last_0_0 : natural range 0 to 255;
+  signal winnerswinner5_best_cost_0, winnerswinner5_best_below_0, winnerswinner5_best_above_0 : natural_255_1d(0 to 1);
+  signal winnerswinner5_best_first_0_1, winnerswinner5_best_last_0_0 : natural range 0 to 255;
+  signal winnerswinner5_best_late_cost_0, winnerswinner5_best_second_0 : natural_255_1d(0 to 1);
+  signal winnerswinner5_best_but_first_0_1, winnerswinner5_best_but_last_0_0 : natural range 0 to 255;
   signal winnerswinner5_best_index_0 : natural_63_1d(0 to 1);  -- _# up to 31, 63
   signal winnerswinner5_best_place_0, winnerswinner5_best_at_start_0, winnerswinner5_best_at_end_0 : boolean_1d(0 to 1);
   signal winnerswinner5_tag : tag_6;
@@ -523,9 +545,10 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal refinement_tag_end_of_line : boolean_1d(0 to 11);  -- _#_end_of_line
   signal refinement_alone_0_0 : boolean;
   signal refinement_negative_0 : boolean_1d(0 to 8);  -- _#_0
-  signal refinement_gap_0, refinement_below_0, refinement_above_0, refinement_u_0, refinement_v_0,
-    refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_gap_0, refinement_below_0, refinement_above_0, refinement_u_0,
+    refinement_v_0 : natural range 0 to 255;
   signal refinement_remainder_0, refinement_divisor_0 : natural_255_1d(0 to 7);  -- _#_0
+  signal refinement_quotient_8_0 : natural range 0 to 255;
   signal refinement_difference_0 : integer range -255 to 255;
   signal refinement_fraction_0 : natural range 0 to 31;
   -- leftright
@@ -533,9 +556,12 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal leftright_ring_read_address, leftright_ring_write_address, leftright_asking_disparity_0,
     leftright_asking_margin_0, leftright_answered_disparity_0, leftright_answered_margin_0,
     leftright_checked_disparity_0, leftright_checked_margin_0 : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_answered_passed_0,
-    leftright_checked_passed_0 : boolean;
-  signal leftright_asking_tag, leftright_answered_tag, leftright_checked_tag : tag_5;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_5;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_5;
+  signal leftright_checked_passed_0 : boolean;
+  signal leftright_checked_tag : tag_5;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
   signal leftright_held_1, leftright_found_0 : unsigned(5 downto 0);
@@ -559,24 +585,27 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal support_cells : natural_127_2d(0 to 12, 0 to 4);
   signal support_centre_0 : natural_127_1d(0 to 2);  -- _#_0
   signal support_newest_rest_0, support_rest_rows_read_newest_0, support_rest_rows_ready_newest_0,
-    support_column_rest_0, support_out_disparity_0 : natural range 0 to 1023;
+    support_column_rest_0 : natural range 0 to 1023;
   signal support_rest_0 : natural_1023_1d(0 to 6);  -- _#_0
   signal support_centre_rest_0 : natural_1023_1d(0 to 2);  -- _#_0
+  signal support_out_disparity_0 : natural range 0 to 1023;
   signal support_moves, support_arrives, support_last, support_read_moves, support_read_arrives, support_read_above2,
     support_read_above1, support_read_below1, support_read_below2, support_read_first, support_read_last,
     support_ready_moves, support_ready_arrives, support_ready_above2, support_ready_above1, support_ready_below1,
     support_ready_below2, support_ready_first, support_ready_last, support_at_moves, support_at_arrives,
-    support_at_first, support_at_last, support_next_tag, support_moved, support_enough_0,
-    support_out_passed_0 : boolean;
+    support_at_first, support_at_last : boolean;
   signal support_row_tag : boolean_1d(0 to 12);
   signal support_moment_map_column : boolean_1d(0 to 6);  -- _#_map_column
   signal support_moment_start_of_frame : boolean_1d(0 to 6);  -- _#_start_of_frame
   signal support_moment_last : boolean_1d(0 to 6);  -- _#_last
+  signal support_next_tag, support_moved : boolean;
   signal support_like_0 : boolean_2d(0 to 6, 0 to 4);
+  signal support_enough_0 : boolean;
   signal support_centre_moment_map_column : boolean_1d(0 to 3);  -- _#_map_column
   signal support_centre_moment_start_of_frame : boolean_1d(0 to 3);  -- _#_start_of_frame
   signal support_centre_moment_last : boolean_1d(0 to 3);  -- _#_last
   signal support_centre_moved : boolean_1d(0 to 3);
+  signal support_out_passed_0 : boolean;
   signal support_out_tag : tag_5_b;
   signal support_rows_read_words_0 : unsigned(27 downto 0);
   signal support_rows_ready_words_0, support_rows_write_words_0 : natural range 0 to 268435455;
@@ -588,34 +617,37 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal support_out_sure_0 : natural range 0 to 255;
   -- fill
   signal fill_counter_column, fill_counter_group, fill_read_column, fill_ready_column, fill_write_column,
-    fill_at_column, fill_known_at_column, fill_beside_0_left_column, fill_beside_0_right_column,
-    fill_measured_at_column, fill_measured_beside_0_right_column, fill_width_0, fill_chosen_at_column,
-    fill_write_above_column : natural range 0 to 511;
+    fill_at_column : natural range 0 to 511;
   signal fill_asking_at_column : natural_511_1d(0 to 1);  -- _#_column
-  signal fill_newest_disparity_0, fill_pixel_0_disparity, fill_known_0_disparity, fill_beside_0_left,
-    fill_beside_0_right, fill_measured_0_disparity, fill_measured_beside_0_left, fill_measured_beside_0_right,
-    fill_chosen_0_disparity, fill_chosen_beside_0_left, fill_chosen_beside_0_right : natural range 0 to 1023;
+  signal fill_known_at_column, fill_beside_0_left_column, fill_beside_0_right_column, fill_measured_at_column,
+    fill_measured_beside_0_right_column, fill_width_0, fill_chosen_at_column,
+    fill_write_above_column : natural range 0 to 511;
+  signal fill_newest_disparity_0, fill_pixel_0_disparity : natural range 0 to 1023;
   signal fill_asking_0_disparity : natural_1023_1d(0 to 1);  -- _#_0_disparity
+  signal fill_known_0_disparity, fill_beside_0_left, fill_beside_0_right, fill_measured_0_disparity,
+    fill_measured_beside_0_left, fill_measured_beside_0_right, fill_chosen_0_disparity, fill_chosen_beside_0_left,
+    fill_chosen_beside_0_right : natural range 0 to 1023;
   signal fill_newest_passed_0, fill_moves, fill_arrives, fill_last, fill_read_moves, fill_read_arrives, fill_read_top,
     fill_read_last, fill_ready_moves, fill_ready_arrives, fill_ready_top, fill_ready_last, fill_ends_open_0,
-    fill_pixel_0_passed, fill_at_moves, fill_at_arrives, fill_at_top, fill_at_last, fill_in_hole_0,
-    fill_known_0_passed, fill_known_at_moves, fill_known_at_arrives, fill_known_at_top, fill_known_at_last,
-    fill_beside_0_has_left, fill_beside_0_has_right, fill_measured_0_passed, fill_measured_at_moves,
-    fill_measured_at_arrives, fill_measured_at_top, fill_measured_at_last, fill_measured_beside_0_has_left,
-    fill_measured_beside_0_has_right, fill_rises_0, fill_chosen_0_passed, fill_chosen_at_moves, fill_chosen_at_arrives,
-    fill_chosen_at_top, fill_chosen_at_last, fill_chosen_beside_0_has_left, fill_chosen_beside_0_has_right,
-    fill_takes_left_0, fill_out_passed_0, fill_out_filled_0, fill_has_values, fill_had_values : boolean;
+    fill_pixel_0_passed, fill_at_moves, fill_at_arrives, fill_at_top, fill_at_last, fill_in_hole_0 : boolean;
   signal fill_asking_0_passed : boolean_1d(0 to 1);  -- _#_0_passed
   signal fill_asking_at_moves : boolean_1d(0 to 1);  -- _#_moves
   signal fill_asking_at_arrives : boolean_1d(0 to 1);  -- _#_arrives
   signal fill_asking_at_top : boolean_1d(0 to 1);  -- _#_top
   signal fill_asking_at_last : boolean_1d(0 to 1);  -- _#_last
   signal fill_hole_starts_0 : boolean_1d(0 to 1);  -- _#_0
+  signal fill_known_0_passed, fill_known_at_moves, fill_known_at_arrives, fill_known_at_top, fill_known_at_last,
+    fill_beside_0_has_left, fill_beside_0_has_right, fill_measured_0_passed, fill_measured_at_moves,
+    fill_measured_at_arrives, fill_measured_at_top, fill_measured_at_last, fill_measured_beside_0_has_left,
+    fill_measured_beside_0_has_right, fill_rises_0, fill_chosen_0_passed, fill_chosen_at_moves, fill_chosen_at_arrives,
+    fill_chosen_at_top, fill_chosen_at_last, fill_chosen_beside_0_has_left, fill_chosen_beside_0_has_right,
+    fill_takes_left_0, fill_out_passed_0, fill_out_filled_0 : boolean;
   signal fill_out_tag : tag_5_b;
+  signal fill_has_values, fill_had_values : boolean;
   signal fill_newest_sure_0, fill_ends_next_place_0, fill_ends_row_place_0, fill_ends_row_above_place_0,
-    fill_ends_write_place_0, fill_ends_read_place_0, fill_pixel_0_sure, fill_known_0_sure, fill_measured_0_sure,
-    fill_chosen_0_sure, fill_out_sure_0 : natural range 0 to 255;
+    fill_ends_write_place_0, fill_ends_read_place_0, fill_pixel_0_sure : natural range 0 to 255;
   signal fill_asking_0_sure : natural_255_1d(0 to 1);  -- _#_0_sure
+  signal fill_known_0_sure, fill_measured_0_sure, fill_chosen_0_sure, fill_out_sure_0 : natural range 0 to 255;
   signal fill_rows_read_words_0 : unsigned(18 downto 0);
   signal fill_rows_read_newest_0, fill_rows_ready_words_0, fill_rows_ready_newest_0,
     fill_rows_write_words_0 : natural range 0 to 524287;
@@ -635,19 +667,22 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal median_counter_next_frame, median_arrives, median_behind, median_line_ended, median_read_arrives,
     median_read_behind, median_read_top, median_read_bottom, median_read_output, median_ready_arrives,
     median_ready_behind, median_ready_top, median_ready_output, median_at_arrives, median_at_behind, median_at_top,
-    median_at_output, median_of_column_0_b_below_a, median_of_column_0_c_below_a, median_of_column_0_c_below_b,
-    median_comparing_arrives, median_comparing_behind, median_comparing_top, median_comparing_output,
-    median_sorted_arrives, median_sorted_behind, median_sorted_top, median_sorted_output, median_window_complete,
-    median_window_first, median_window_last, median_of_low_0_b_below_a, median_of_low_0_c_below_a,
-    median_of_low_0_c_below_b, median_of_middle_0_b_below_a, median_of_middle_0_c_below_a,
+    median_at_output, median_of_column_0_b_below_a, median_of_column_0_c_below_a,
+    median_of_column_0_c_below_b : boolean;
+  signal median_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal median_comparing_arrives, median_comparing_behind, median_comparing_top, median_comparing_output,
+    median_sorted_arrives, median_sorted_behind, median_sorted_top, median_sorted_output : boolean;
+  signal median_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal median_window_complete, median_window_first, median_window_last, median_of_low_0_b_below_a,
+    median_of_low_0_c_below_a, median_of_low_0_c_below_b, median_of_middle_0_b_below_a, median_of_middle_0_c_below_a,
     median_of_middle_0_c_below_b, median_of_high_0_b_below_a, median_of_high_0_c_below_a, median_of_high_0_c_below_b,
-    median_of_all_0_b_below_a, median_of_all_0_c_below_a, median_of_all_0_c_below_b, median_out_passed_0,
-    median_out_filled_0, median_out_valid, median_out_start_of_frame, median_out_end_of_line : boolean;
-  signal median_column_passed_0, median_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    median_of_all_0_b_below_a, median_of_all_0_c_below_a, median_of_all_0_c_below_b : boolean;
   signal median_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal median_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal median_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal median_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal median_out_passed_0, median_out_filled_0, median_out_valid, median_out_start_of_frame,
+    median_out_end_of_line : boolean;
   signal median_newest_0, median_rows_read_newest_0, median_rows_ready_newest_0,
     median_column_2 : natural range 0 to 65535;
   signal median_rows_read_words_0 : unsigned(25 downto 0);
@@ -655,21 +690,22 @@ architecture rtl of stereo_core_sgm_450_dense is
   signal median_rows_write_words_0 : natural range 0 to 536870911;
   signal median_column_1 : natural range 0 to 8191;
   signal median_of_column_0_a, median_of_column_0_b : natural range 0 to 4095;
-  signal median_of_column_0_c, median_sorted_low_0, median_sorted_middle_0, median_sorted_high_0, median_of_low_0_a,
-    median_of_low_0_b, median_of_low_0_c, median_of_middle_0_a, median_of_middle_0_b, median_of_middle_0_c,
-    median_of_high_0_a, median_of_high_0_b, median_of_high_0_c, median_largest_low_0, median_median_middle_0,
-    median_smallest_high_0, median_of_all_0_a, median_of_all_0_b, median_of_all_0_c,
-    median_out_disparity_0 : natural range 0 to 32767;
+  signal median_of_column_0_c, median_sorted_low_0, median_sorted_middle_0,
+    median_sorted_high_0 : natural range 0 to 32767;
   signal median_low_0, median_middle_0, median_high_0 : natural_32767_1d(0 to 2);  -- _#_0
+  signal median_of_low_0_a, median_of_low_0_b, median_of_low_0_c, median_of_middle_0_a, median_of_middle_0_b,
+    median_of_middle_0_c, median_of_high_0_a, median_of_high_0_b, median_of_high_0_c, median_largest_low_0,
+    median_median_middle_0, median_smallest_high_0, median_of_all_0_a, median_of_all_0_b, median_of_all_0_c,
+    median_out_disparity_0 : natural range 0 to 32767;
   signal median_beside_rows_read_words_0 : unsigned(8 downto 0);
   signal median_out_confidence_0 : natural range 0 to 255;
   -- relief
   signal relief_centre_column : natural_255_1d(0 to 4);
   signal relief_centre_grey_0, relief_before : natural range 0 to 255;
   signal relief_newest, relief_delayed_0, relief_rows_read_newest_0, relief_rows_ready_words_0,
-    relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0, relief_entering,
-    relief_entered : natural range 0 to 31;
+    relief_rows_ready_newest_0, relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 31;
   signal relief_waiting : natural_31_1d(0 to 9);
+  signal relief_entering, relief_entered : natural range 0 to 31;
   signal relief_rows_read_words_0 : unsigned(4 downto 0);
   -- other
   signal other_0 : boolean;

@@ -205,12 +205,17 @@ architecture rtl of stereo_core_sgm_640 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 8);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 4);
+  signal transform_read_column_inside : boolean_1d(0 to 8);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 4);
+  signal transform_ready_column_inside : boolean_1d(0 to 8);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 4);
+  signal transform_columns_column_inside : boolean_1d(0 to 8);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -316,11 +321,12 @@ architecture rtl of stereo_core_sgm_640 is
   signal slice7_held_0 : natural_11_1d(0 to 15);
   -- entry
   signal entry_next_cost, entry_cost : natural_11_1d(0 to 127);
-  signal entry_next_tag, entry_tag : tag_4;
+  signal entry_next_tag : tag_4;
   signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output,
     entry_order_first, entry_order_held_output, entry_order_turned_output_column, entry_order_turned_first_column,
-    entry_order_turned_start_of_frame, entry_top, entry_turned_output_column, entry_turned_first_column,
-    entry_turned_start_of_frame : boolean;
+    entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_top, entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 1023;
   -- forward
   signal forward_smallest_smallest : natural_11_1d(0 to 63);
@@ -339,20 +345,23 @@ architecture rtl of stereo_core_sgm_640 is
   signal forward_left_pair : natural_63_1d(0 to 63);
   signal forward_left_tree_smallest : natural_63_1d(0 to 31);
   signal forward_left_tree_next_smallest : natural_63_1d(0 to 15);
-  signal forward_left_tree_next_next_smallest, forward_left_g_copy, forward_left_g_less_copy : natural_63_1d(0 to 7);
+  signal forward_left_tree_next_next_smallest : natural_63_1d(0 to 7);
   signal forward_left_tree_next_next_next_smallest : natural_63_1d(0 to 3);
   signal forward_left_tree_next_next_next_next_smallest : natural_63_1d(0 to 1);
-  signal forward_left_tree_next_next_next_next_next_smallest_0, forward_left_smallest_less, forward_above_own_0,
-    forward_above_own_127 : natural range 0 to 63;
+  signal forward_left_tree_next_next_next_next_next_smallest_0, forward_left_smallest_less : natural range 0 to 63;
+  signal forward_left_g_copy, forward_left_g_less_copy : natural_63_1d(0 to 7);
   signal forward_left_stay_change, forward_left_step_change, forward_left_cost, forward_left_arrived,
     forward_above_cost, forward_above_beside : natural_63_1d(0 to 127);
+  signal forward_above_own_0 : natural range 0 to 63;
   signal forward_above_own : natural_63_1d(2 to 125);
+  signal forward_above_own_127 : natural range 0 to 63;
   signal forward_left_start_cost : natural_255_1d(0 to 9);
   signal forward_left_room : natural range 0 to 31;
   signal forward_above_stay : natural_31_1d(0 to 127);
   signal forward_left_first : boolean_1d(0 to 2);
-  signal forward_above_ready_top, forward_above_writes_copy_0 : boolean;
+  signal forward_above_ready_top : boolean;
   signal forward_above_comes : boolean_1d(0 to 12);
+  signal forward_above_writes_copy_0 : boolean;
   signal forward_first : boolean_1d(0 to 6);
   signal forward_above_read_words_21 : unsigned(11 downto 0);
   signal forward_above_ready_words_21, forward_above_write_words_21 : natural range 0 to 4095;
@@ -360,10 +369,11 @@ architecture rtl of stereo_core_sgm_640 is
   signal forward_above_tree_smallest : natural_42_1d(0 to 63);
   signal forward_above_tree_next_smallest : natural_42_1d(0 to 31);
   signal forward_above_tree_next_next_smallest : natural_42_1d(0 to 15);
-  signal forward_above_tree_next_next_next_smallest, forward_above_smallest_copy : natural_42_1d(0 to 7);
+  signal forward_above_tree_next_next_next_smallest : natural_42_1d(0 to 7);
   signal forward_above_tree_next_next_next_next_smallest : natural_42_1d(0 to 3);
   signal forward_above_tree_next_next_next_next_next_smallest : natural_42_1d(0 to 1);
   signal forward_above_tree_next_next_next_next_next_next_smallest_0 : natural range 0 to 42;
+  signal forward_above_smallest_copy : natural_42_1d(0 to 7);
   signal forward_above_delay_held : unsigned_30_1d(0 to 24);
   signal forward_above_delay_held_25 : unsigned(17 downto 0);
   signal forward_above_step : natural_67_1d(0 to 127);
@@ -376,14 +386,16 @@ architecture rtl of stereo_core_sgm_640 is
   signal sums_turn_read_costs, sums_turn_ready_costs, sums_turn_write_costs : unsigned_32_1d(0 to 15);
   signal sums_turn_read_smallest_0 : unsigned(3 downto 0);
   signal sums_turn_ready_sums : natural_268435455_1d(0 to 31);
-  signal sums_turn_ready_smallest_0, sums_right_smallest : natural range 0 to 15;
+  signal sums_turn_ready_smallest_0 : natural range 0 to 15;
   signal sums_cost : natural_15_2d(0 to 1, 0 to 127);
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_tags_moved : boolean;
+  signal sums_right_smallest : natural range 0 to 15;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0 : boolean;
   signal sums_right_first : boolean_1d(0 to 2);
   signal sums_tag : tag_5;
   signal sums_tags_held_output_column : boolean_1d(0 to 4);  -- _#_output_column
   signal sums_tags_held_start_of_frame : boolean_1d(0 to 4);  -- _#_start_of_frame
   signal sums_tags_held_end_of_line : boolean_1d(0 to 4);  -- _#_end_of_line
+  signal sums_tags_moved : boolean;
   signal sums_turn_place : natural_1023_1d(0 to 11);
   signal sums_turn_write_place : natural range 0 to 1023;
   signal sums_turn_write_sums : natural_266321790_1d(0 to 31);
@@ -391,33 +403,40 @@ architecture rtl of stereo_core_sgm_640 is
   signal sums_right_pair : natural_63_1d(0 to 63);
   signal sums_right_tree_smallest : natural_63_1d(0 to 31);
   signal sums_right_tree_next_smallest : natural_63_1d(0 to 15);
-  signal sums_right_tree_next_next_smallest, sums_right_g_copy, sums_right_g_less_copy : natural_63_1d(0 to 7);
+  signal sums_right_tree_next_next_smallest : natural_63_1d(0 to 7);
   signal sums_right_tree_next_next_next_smallest : natural_63_1d(0 to 3);
   signal sums_right_tree_next_next_next_next_smallest : natural_63_1d(0 to 1);
   signal sums_right_tree_next_next_next_next_next_smallest_0, sums_right_smallest_less : natural range 0 to 63;
+  signal sums_right_g_copy, sums_right_g_less_copy : natural_63_1d(0 to 7);
   signal sums_right_stay_change, sums_right_step_change, sums_right_cost, sums_right_arrived : natural_63_1d(0 to 127);
   signal sums_right_start_cost : natural_255_1d(0 to 9);
   signal sums_right_room : natural range 0 to 31;
   signal sums_sum_delay_ring_read_address, sums_sum_delay_ring_write_address : natural range 0 to 3;
   signal sums_sum_0 : natural_127_1d(0 to 127);
   -- winnerswinner1
-  signal winnerswinner1_of_pair_0, winnerswinner1_of_four_0 : natural_127_1d(0 to 127);
+  signal winnerswinner1_of_pair_0 : natural_127_1d(0 to 127);
   signal winnerswinner1_pair_index_0 : natural_127_1d(1 to 63);  -- _# up to 3, 5 .. 127
-  signal winnerswinner1_four_index_0, winnerswinner1_best_index_0 : natural_127_1d(0 to 31);  -- _# up to 3, 7 .. 127
+  signal winnerswinner1_of_four_0 : natural_127_1d(0 to 127);
+  signal winnerswinner1_four_index_0 : natural_127_1d(0 to 31);  -- _# up to 3, 7 .. 127
   signal winnerswinner1_best_cost_0 : natural_127_1d(0 to 31);
+  signal winnerswinner1_best_index_0 : natural_127_1d(0 to 31);  -- _# up to 3, 7 .. 127
   signal winnerswinner1_pair_index_0_0 : boolean;
   signal winnerswinner1_pair_tag, winnerswinner1_four_tag, winnerswinner1_tag : tag_5;
   -- winnerswinner2
-  signal winnerswinner2_of_pair_0, winnerswinner2_of_four_0 : natural_127_1d(0 to 31);
+  signal winnerswinner2_of_pair_0 : natural_127_1d(0 to 31);
   signal winnerswinner2_pair_index_0 : natural_127_1d(0 to 15);  -- _# up to 7, 15 .. 127
-  signal winnerswinner2_four_index_0, winnerswinner2_best_index_0 : natural_127_1d(0 to 7);  -- _# up to 15, 31 .. 127
+  signal winnerswinner2_of_four_0 : natural_127_1d(0 to 31);
+  signal winnerswinner2_four_index_0 : natural_127_1d(0 to 7);  -- _# up to 15, 31 .. 127
   signal winnerswinner2_best_cost_0 : natural_127_1d(0 to 7);
+  signal winnerswinner2_best_index_0 : natural_127_1d(0 to 7);  -- _# up to 15, 31 .. 127
   signal winnerswinner2_pair_tag, winnerswinner2_four_tag, winnerswinner2_tag : tag_5;
   -- winnerswinner3
-  signal winnerswinner3_of_pair_0, winnerswinner3_of_four_0 : natural_127_1d(0 to 7);
+  signal winnerswinner3_of_pair_0 : natural_127_1d(0 to 7);
   signal winnerswinner3_pair_index_0 : natural_127_1d(0 to 3);  -- _# up to 31, 63 .. 127
-  signal winnerswinner3_four_index_0, winnerswinner3_best_index_0 : natural_127_1d(0 to 1);  -- _# up to 63, 127
+  signal winnerswinner3_of_four_0 : natural_127_1d(0 to 7);
+  signal winnerswinner3_four_index_0 : natural_127_1d(0 to 1);  -- _# up to 63, 127
   signal winnerswinner3_best_cost_0 : natural_127_1d(0 to 1);
+  signal winnerswinner3_best_index_0 : natural_127_1d(0 to 1);  -- _# up to 63, 127
   signal winnerswinner3_pair_tag, winnerswinner3_four_tag, winnerswinner3_tag : tag_5;
   -- winnerswinner4
   signal winnerswinner4_best_index_0_0 : natural range 0 to 127;
@@ -440,28 +459,31 @@ architecture rtl of stereo_core_sgm_640 is
     map_sorted_column : natural range 0 to 1023;
   signal map_counter_group : natural range 0 to 511;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
-    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
-    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
-    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
-    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0 : natural range 0 to 255;
   signal map_column : natural_255_1d(1 to 2);
   signal map_rows_read_words_0 : unsigned(16 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 131071;
   signal map_rows_write_words_0 : natural range 0 to 130815;
   signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0,
-    map_sorted_high_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b,
-    map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0,
-    map_smallest_high_0, map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 127;
+    map_sorted_high_0 : natural range 0 to 127;
   signal map_low_0, map_middle_0, map_high_0 : natural_127_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 127;
   -- other
   signal other_0, other_2 : unsigned(48 downto 0);
   signal other_1 : natural range 0 to 254;

@@ -222,16 +222,24 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- _#_2#
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column, transform_counter_counts,
     transform_counter_frame_joins, transform_counter_back_to_back, transform_counter_next_frame_after,
-    transform_read_row_inside_0, transform_read_start_of_frame, transform_read_valid, transform_ready_start_of_frame,
-    transform_ready_valid, transform_columns_start_of_frame, transform_columns_valid,
-    transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4,
-    transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
-  signal transform_ready_row_inside, transform_reached_first, transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+    transform_read_row_inside_0 : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 2);  -- _2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_left_filter_low_is_larger_0, transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
-  signal transform_left_filter_low_is_larger_0s, transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
+  signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
+  signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 2);  -- _#_valid
   signal transform_counter_column, transform_counter_column_after, transform_read_column, transform_ready_column,
@@ -260,17 +268,20 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_6;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_6;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_6;
   -- line
   signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0,
     line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete,
     line_order_output, line_order_first, line_order_held_output, line_order_turned_valid, line_order_turned_map_column,
     line_order_turned_output_column, line_order_turned_first_column, line_order_turned_start_of_frame,
-    line_order_turned_end_of_line, line_newest_first_column, line_newest_top, line_places_0_top : boolean;
+    line_order_turned_end_of_line, line_newest_first_column, line_newest_top : boolean;
   signal line_comes, line_starts_phases : boolean_1d(1 to 33);
   signal line_places_map_column : boolean_1d(0 to 4);  -- _#_map_column
   signal line_places_first_column : boolean_1d(0 to 4);  -- _#_first_column
+  signal line_places_0_top : boolean;
   signal line_places_shown_output_column : boolean_1d(0 to 4);  -- _#_shown_output_column
   signal line_places_shown_first_column : boolean_1d(0 to 2);  -- _#_shown_first_column
   signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- _#_shown_start_of_frame
@@ -278,9 +289,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal line_order_address : natural range 0 to 1023;
   signal line_places_address : natural_1023_1d(0 to 2);  -- _#_address
   -- costsshift
-  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on, costsshift_read_reference,
-    costsshift_reference : natural_16383_1d(0 to 2);
+  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on,
+    costsshift_read_reference : natural_16383_1d(0 to 2);
   signal costsshift_search : natural_16383_2d(0 to 2, 0 to 7);
+  signal costsshift_reference : natural_16383_1d(0 to 2);
   signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
   signal costsshift_read_words : unsigned_28_1d(0 to 11);
@@ -317,12 +329,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsleft_fresh_past_fours : natural_64_1d(0 to 6);
   signal pathsleft_fresh_past_eight, pathsleft_fresh_past_oldest, pathsleft_fresh_past_cheapest,
     pathsleft_fresh_here : natural range 0 to 64;
-  signal pathsleft_fresh_known, pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour,
-    pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
+  signal pathsleft_fresh_known, pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
   signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change, pathsleft_cost,
     pathsleft_arrived : natural_127_1d(0 to 7);
   signal pathsleft_tree_smallest : natural_127_1d(0 to 3);
   signal pathsleft_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
   signal pathsleft_low_address, pathsleft_low_write_address : natural range 0 to 15;
   signal pathsleft_lowest_0, pathsleft_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsleft_lost, pathsleft_short_of, pathsleft_first, pathsleft_is_first, pathsleft_is_last : boolean;
@@ -339,8 +351,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
     pathsabove_write_address_is_here : boolean;
   signal pathsabove_memory_read_words : unsigned_16_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_read_words_2 : unsigned_8_1d(0 to 1);  -- _#_2
-  signal pathsabove_memory_held_words, pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
+  signal pathsabove_memory_held_words : natural_65535_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_ready_words : natural_65535_1d(0 to 2);  -- _# up to 65535, 65535, 255
+  signal pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_held_words_2, pathsabove_memory_write_words_2 : natural_255_1d(0 to 1);  -- _#_2
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase,
@@ -351,9 +364,11 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsabove_tree_next_next_smallest_0, pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 52;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(9 downto 0);
-  signal pathsabove_cost, pathsabove_held, pathsabove_beside, pathsabove_stay : natural_31_1d(0 to 7);
+  signal pathsabove_cost, pathsabove_held : natural_31_1d(0 to 7);
   signal pathsabove_lower_neighbour : natural range 0 to 31;
+  signal pathsabove_beside : natural_31_1d(0 to 7);
   signal pathsabove_own : natural_31_1d(0 to 6);
+  signal pathsabove_stay : natural_31_1d(0 to 7);
   signal pathsabove_step : natural_36_1d(0 to 7);
   -- pathsturn
   signal pathsturn_sum_memory_read_address_0, pathsturn_sum_memory_write_address_0,
@@ -369,10 +384,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsturn_cost_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- _#_0
   signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- _#_3
   signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- _#_1
-  signal pathsturn_sum_memory_held_words, pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 2);
   signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 3);  -- _# up to 65535, 65535, 65535, 255
-  signal pathsturn_cost_memory_held_words_0, pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- _#_0
+  signal pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_cost_memory_held_words_0 : natural_65535_1d(0 to 1);  -- _#_0
   signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);  -- _# up to 65535, 255
+  signal pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- _#_0
   signal pathsturn_sum_memory_held_words_3, pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- _#_3
   signal pathsturn_cost_memory_held_words_1, pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- _#_1
   signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
@@ -388,12 +405,13 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal pathsright_fresh_past_fours : natural_64_1d(0 to 6);
   signal pathsright_fresh_past_eight, pathsright_fresh_past_oldest, pathsright_fresh_past_cheapest,
     pathsright_fresh_here : natural range 0 to 64;
-  signal pathsright_fresh_known, pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour,
-    pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
+  signal pathsright_fresh_known, pathsright_q_less, pathsright_g_less,
+    pathsright_lower_neighbour : natural range 0 to 127;
   signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change, pathsright_cost,
     pathsright_arrived : natural_127_1d(0 to 7);
   signal pathsright_tree_smallest : natural_127_1d(0 to 3);
   signal pathsright_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
   signal pathsright_lowest_0, pathsright_read_neighbour_0 : unsigned(6 downto 0);
   signal pathsright_lost, pathsright_short_of : boolean;
   signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left, pathsright_q_now,
@@ -454,9 +472,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal other_11 : natural range 0 to 128;
   -- refinement
   signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- _#_0
-  signal refinement_gap_0, refinement_u_0, refinement_v_0, refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_gap_0, refinement_u_0, refinement_v_0 : natural range 0 to 255;
   signal refinement_remainder_0 : natural_255_1d(0 to 7);  -- _#_0 up to 254, 255 x 7
   signal refinement_divisor_0 : natural_255_1d(0 to 7);  -- _#_0
+  signal refinement_quotient_8_0 : natural range 0 to 255;
   signal refinement_passed_0 : boolean_1d(0 to 11);  -- _#_0
   signal refinement_tag_valid : boolean_1d(0 to 11);  -- _#_valid
   signal refinement_tag_map_column : boolean_1d(0 to 11);  -- _#_map_column
@@ -474,9 +493,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
     leftright_checked_disparity_0 : natural range 0 to 255;
   signal leftright_ring_read_address, leftright_ring_write_address, leftright_asking_margin_0,
     leftright_answered_margin_0, leftright_checked_margin_0 : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_answered_passed_0,
-    leftright_checked_passed_0 : boolean;
-  signal leftright_asking_tag, leftright_answered_tag, leftright_checked_tag : tag_5;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_5;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_5;
+  signal leftright_checked_passed_0 : boolean;
+  signal leftright_checked_tag : tag_5;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
   signal leftright_held_1 : unsigned(5 downto 0);
@@ -495,9 +517,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   -- support
   signal support_counter_column, support_newest_rest_0, support_rest_rows_read_newest_0,
     support_rest_rows_ready_newest_0, support_read_column, support_ready_column, support_write_column,
-    support_column_rest_0, support_out_disparity_0 : natural range 0 to 1023;
+    support_column_rest_0 : natural range 0 to 1023;
   signal support_rest_0 : natural_1023_1d(0 to 6);  -- _#_0
   signal support_centre_rest_0 : natural_1023_1d(0 to 2);  -- _#_0
+  signal support_out_disparity_0 : natural range 0 to 1023;
   signal support_counter_group : natural range 0 to 511;
   signal support_newest_0, support_rows_read_newest_0, support_rows_ready_newest_0 : natural range 0 to 127;
   signal support_column : natural_127_1d(0 to 4);
@@ -507,17 +530,19 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
     support_read_above1, support_read_below1, support_read_below2, support_read_first, support_read_last,
     support_ready_moves, support_ready_arrives, support_ready_above2, support_ready_above1, support_ready_below1,
     support_ready_below2, support_ready_first, support_ready_last, support_at_moves, support_at_arrives,
-    support_at_first, support_at_last, support_next_tag, support_moved, support_enough_0,
-    support_out_passed_0 : boolean;
+    support_at_first, support_at_last : boolean;
   signal support_row_tag : boolean_1d(0 to 12);
   signal support_moment_map_column : boolean_1d(0 to 6);  -- _#_map_column
   signal support_moment_start_of_frame : boolean_1d(0 to 6);  -- _#_start_of_frame
   signal support_moment_last : boolean_1d(0 to 6);  -- _#_last
+  signal support_next_tag, support_moved : boolean;
   signal support_like_0 : boolean_2d(0 to 6, 0 to 4);
+  signal support_enough_0 : boolean;
   signal support_centre_moment_map_column : boolean_1d(0 to 3);  -- _#_map_column
   signal support_centre_moment_start_of_frame : boolean_1d(0 to 3);  -- _#_start_of_frame
   signal support_centre_moment_last : boolean_1d(0 to 3);  -- _#_last
   signal support_centre_moved : boolean_1d(0 to 3);
+  signal support_out_passed_0 : boolean;
   signal support_out_tag : tag_5_b;
   signal support_rows_read_words_0 : unsigned(27 downto 0);
   signal support_rows_ready_words_0, support_rows_write_words_0 : natural range 0 to 268435455;
@@ -529,34 +554,36 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal support_out_sure_0 : natural range 0 to 255;
   -- fill
   signal fill_counter_column, fill_newest_disparity_0, fill_read_column, fill_ready_column, fill_write_column,
-    fill_pixel_0_disparity, fill_at_column, fill_known_0_disparity, fill_known_at_column, fill_beside_0_left,
-    fill_beside_0_right, fill_beside_0_left_column, fill_beside_0_right_column, fill_measured_0_disparity,
-    fill_measured_at_column, fill_measured_beside_0_left, fill_measured_beside_0_right,
-    fill_measured_beside_0_right_column, fill_width_0, fill_chosen_0_disparity, fill_chosen_at_column,
-    fill_chosen_beside_0_left, fill_chosen_beside_0_right, fill_write_above_column : natural range 0 to 1023;
+    fill_pixel_0_disparity, fill_at_column : natural range 0 to 1023;
   signal fill_asking_0_disparity : natural_1023_1d(0 to 1);  -- _#_0_disparity
   signal fill_asking_at_column : natural_1023_1d(0 to 1);  -- _#_column
+  signal fill_known_0_disparity, fill_known_at_column, fill_beside_0_left, fill_beside_0_right,
+    fill_beside_0_left_column, fill_beside_0_right_column, fill_measured_0_disparity, fill_measured_at_column,
+    fill_measured_beside_0_left, fill_measured_beside_0_right, fill_measured_beside_0_right_column, fill_width_0,
+    fill_chosen_0_disparity, fill_chosen_at_column, fill_chosen_beside_0_left, fill_chosen_beside_0_right,
+    fill_write_above_column : natural range 0 to 1023;
   signal fill_counter_group, fill_ends_next_place_0, fill_ends_row_place_0, fill_ends_row_above_place_0,
     fill_ends_write_place_0, fill_ends_read_place_0 : natural range 0 to 511;
   signal fill_newest_passed_0, fill_moves, fill_arrives, fill_last, fill_read_moves, fill_read_arrives, fill_read_top,
     fill_read_last, fill_ready_moves, fill_ready_arrives, fill_ready_top, fill_ready_last, fill_ends_open_0,
-    fill_pixel_0_passed, fill_at_moves, fill_at_arrives, fill_at_top, fill_at_last, fill_in_hole_0,
-    fill_known_0_passed, fill_known_at_moves, fill_known_at_arrives, fill_known_at_top, fill_known_at_last,
-    fill_beside_0_has_left, fill_beside_0_has_right, fill_measured_0_passed, fill_measured_at_moves,
-    fill_measured_at_arrives, fill_measured_at_top, fill_measured_at_last, fill_measured_beside_0_has_left,
-    fill_measured_beside_0_has_right, fill_rises_0, fill_chosen_0_passed, fill_chosen_at_moves, fill_chosen_at_arrives,
-    fill_chosen_at_top, fill_chosen_at_last, fill_chosen_beside_0_has_left, fill_chosen_beside_0_has_right,
-    fill_takes_left_0, fill_out_passed_0, fill_out_filled_0, fill_has_values, fill_had_values : boolean;
+    fill_pixel_0_passed, fill_at_moves, fill_at_arrives, fill_at_top, fill_at_last, fill_in_hole_0 : boolean;
   signal fill_asking_0_passed : boolean_1d(0 to 1);  -- _#_0_passed
   signal fill_asking_at_moves : boolean_1d(0 to 1);  -- _#_moves
   signal fill_asking_at_arrives : boolean_1d(0 to 1);  -- _#_arrives
   signal fill_asking_at_top : boolean_1d(0 to 1);  -- _#_top
   signal fill_asking_at_last : boolean_1d(0 to 1);  -- _#_last
   signal fill_hole_starts_0 : boolean_1d(0 to 1);  -- _#_0
+  signal fill_known_0_passed, fill_known_at_moves, fill_known_at_arrives, fill_known_at_top, fill_known_at_last,
+    fill_beside_0_has_left, fill_beside_0_has_right, fill_measured_0_passed, fill_measured_at_moves,
+    fill_measured_at_arrives, fill_measured_at_top, fill_measured_at_last, fill_measured_beside_0_has_left,
+    fill_measured_beside_0_has_right, fill_rises_0, fill_chosen_0_passed, fill_chosen_at_moves, fill_chosen_at_arrives,
+    fill_chosen_at_top, fill_chosen_at_last, fill_chosen_beside_0_has_left, fill_chosen_beside_0_has_right,
+    fill_takes_left_0, fill_out_passed_0, fill_out_filled_0 : boolean;
   signal fill_out_tag : tag_5_b;
-  signal fill_newest_sure_0, fill_pixel_0_sure, fill_known_0_sure, fill_measured_0_sure, fill_chosen_0_sure,
-    fill_out_sure_0 : natural range 0 to 255;
+  signal fill_has_values, fill_had_values : boolean;
+  signal fill_newest_sure_0, fill_pixel_0_sure : natural range 0 to 255;
   signal fill_asking_0_sure : natural_255_1d(0 to 1);  -- _#_0_sure
+  signal fill_known_0_sure, fill_measured_0_sure, fill_chosen_0_sure, fill_out_sure_0 : natural range 0 to 255;
   signal fill_rows_read_words_0 : unsigned(18 downto 0);
   signal fill_rows_read_newest_0, fill_rows_ready_words_0, fill_rows_ready_newest_0,
     fill_rows_write_words_0 : natural range 0 to 524287;
@@ -577,19 +604,22 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal median_counter_next_frame, median_arrives, median_behind, median_line_ended, median_read_arrives,
     median_read_behind, median_read_top, median_read_bottom, median_read_output, median_ready_arrives,
     median_ready_behind, median_ready_top, median_ready_output, median_at_arrives, median_at_behind, median_at_top,
-    median_at_output, median_of_column_0_b_below_a, median_of_column_0_c_below_a, median_of_column_0_c_below_b,
-    median_comparing_arrives, median_comparing_behind, median_comparing_top, median_comparing_output,
-    median_sorted_arrives, median_sorted_behind, median_sorted_top, median_sorted_output, median_window_complete,
-    median_window_first, median_window_last, median_of_low_0_b_below_a, median_of_low_0_c_below_a,
-    median_of_low_0_c_below_b, median_of_middle_0_b_below_a, median_of_middle_0_c_below_a,
+    median_at_output, median_of_column_0_b_below_a, median_of_column_0_c_below_a,
+    median_of_column_0_c_below_b : boolean;
+  signal median_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal median_comparing_arrives, median_comparing_behind, median_comparing_top, median_comparing_output,
+    median_sorted_arrives, median_sorted_behind, median_sorted_top, median_sorted_output : boolean;
+  signal median_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal median_window_complete, median_window_first, median_window_last, median_of_low_0_b_below_a,
+    median_of_low_0_c_below_a, median_of_low_0_c_below_b, median_of_middle_0_b_below_a, median_of_middle_0_c_below_a,
     median_of_middle_0_c_below_b, median_of_high_0_b_below_a, median_of_high_0_c_below_a, median_of_high_0_c_below_b,
-    median_of_all_0_b_below_a, median_of_all_0_c_below_a, median_of_all_0_c_below_b, median_out_passed_0,
-    median_out_filled_0, median_out_valid, median_out_start_of_frame, median_out_end_of_line : boolean;
-  signal median_column_passed_0, median_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    median_of_all_0_b_below_a, median_of_all_0_c_below_a, median_of_all_0_c_below_b : boolean;
   signal median_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal median_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal median_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal median_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal median_out_passed_0, median_out_filled_0, median_out_valid, median_out_start_of_frame,
+    median_out_end_of_line : boolean;
   signal median_newest_0, median_rows_read_newest_0, median_rows_ready_newest_0,
     median_column_2 : natural range 0 to 65535;
   signal median_rows_read_words_0 : unsigned(25 downto 0);
@@ -597,12 +627,13 @@ architecture rtl of stereo_core_sgm_640_64_f8_dense is
   signal median_rows_write_words_0 : natural range 0 to 536870911;
   signal median_column_1 : natural range 0 to 8191;
   signal median_of_column_0_a, median_of_column_0_b : natural range 0 to 4095;
-  signal median_of_column_0_c, median_sorted_low_0, median_sorted_middle_0, median_sorted_high_0, median_of_low_0_a,
-    median_of_low_0_b, median_of_low_0_c, median_of_middle_0_a, median_of_middle_0_b, median_of_middle_0_c,
-    median_of_high_0_a, median_of_high_0_b, median_of_high_0_c, median_largest_low_0, median_median_middle_0,
-    median_smallest_high_0, median_of_all_0_a, median_of_all_0_b, median_of_all_0_c,
-    median_out_disparity_0 : natural range 0 to 32767;
+  signal median_of_column_0_c, median_sorted_low_0, median_sorted_middle_0,
+    median_sorted_high_0 : natural range 0 to 32767;
   signal median_low_0, median_middle_0, median_high_0 : natural_32767_1d(0 to 2);  -- _#_0
+  signal median_of_low_0_a, median_of_low_0_b, median_of_low_0_c, median_of_middle_0_a, median_of_middle_0_b,
+    median_of_middle_0_c, median_of_high_0_a, median_of_high_0_b, median_of_high_0_c, median_largest_low_0,
+    median_median_middle_0, median_smallest_high_0, median_of_all_0_a, median_of_all_0_b, median_of_all_0_c,
+    median_out_disparity_0 : natural range 0 to 32767;
   signal median_beside_rows_read_words_0 : unsigned(8 downto 0);
   signal median_out_confidence_0 : natural range 0 to 255;
   -- relief

@@ -219,17 +219,25 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- _#_2#
   signal transform_valid, transform_counter_next_frame, transform_counter_last_column, transform_counter_counts,
     transform_counter_frame_joins, transform_counter_back_to_back, transform_counter_next_frame_after,
-    transform_read_row_inside_0, transform_read_start_of_frame, transform_read_valid, transform_ready_start_of_frame,
-    transform_ready_valid, transform_columns_start_of_frame, transform_columns_valid,
-    transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4,
-    transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
-  signal transform_ready_row_inside, transform_reached_first, transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+    transform_read_row_inside_0 : boolean;
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_reached_first : boolean_1d(0 to 2);  -- _2#
   signal transform_reached_beyond_last : boolean_1d(2 to 3);
-  signal transform_left_filter_low_is_larger_0, transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
-  signal transform_left_filter_low_is_larger_0s, transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_left_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
+  signal transform_left_filter_low_is_larger_0_4_0, transform_left_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_left_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
+  signal transform_right_filter_low_is_larger_0 : boolean_2d(0 to 1, 0 to 2);  -- _2#_2#
+  signal transform_right_filter_low_is_larger_0_4_0, transform_right_filter_low_is_larger_0_4_4 : boolean;
+  signal transform_right_filter_low_is_larger_0s : boolean_2d(3 to 4, 0 to 2);  -- _0_2#_2#
   signal transform_filtering_row_inside_4 : boolean_1d(0 to 2);  -- _#_row_inside_4
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
   signal transform_filtering_column_inside_4 : boolean_1d(1 to 2);  -- _#_column_inside_4
   signal transform_filtering_start_of_frame : boolean_1d(0 to 2);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 2);  -- _#_valid
@@ -259,17 +267,20 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 1023;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_6;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_6;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_6;
   -- line
   signal line_centre_map_column_0, line_centre_output_column_0, line_centre_first_column_0,
     line_centre_start_of_frame_0, line_centre_end_of_line_0, line_order_falls, line_order_inside, line_order_complete,
     line_order_output, line_order_first, line_order_held_output, line_order_turned_valid, line_order_turned_map_column,
     line_order_turned_output_column, line_order_turned_first_column, line_order_turned_start_of_frame,
-    line_order_turned_end_of_line, line_newest_first_column, line_newest_top, line_places_0_top : boolean;
+    line_order_turned_end_of_line, line_newest_first_column, line_newest_top : boolean;
   signal line_comes, line_starts_phases : boolean_1d(1 to 33);
   signal line_places_map_column : boolean_1d(0 to 4);  -- _#_map_column
   signal line_places_first_column : boolean_1d(0 to 2);  -- _#_first_column
+  signal line_places_0_top : boolean;
   signal line_places_shown_output_column : boolean_1d(0 to 4);  -- _#_shown_output_column
   signal line_places_shown_first_column : boolean_1d(0 to 2);  -- _#_shown_first_column
   signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- _#_shown_start_of_frame
@@ -277,9 +288,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal line_order_address : natural range 0 to 1023;
   signal line_places_address : natural_1023_1d(0 to 2);  -- _#_address
   -- costsshift
-  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on, costsshift_read_reference,
-    costsshift_reference : natural_16383_1d(0 to 2);
+  signal costsshift_newest, costsshift_new_reference, costsshift_handed_on,
+    costsshift_read_reference : natural_16383_1d(0 to 2);
   signal costsshift_search : natural_16383_2d(0 to 2, 0 to 7);
+  signal costsshift_reference : natural_16383_1d(0 to 2);
   signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
   signal costsshift_read_words : unsigned_28_1d(0 to 11);
@@ -317,12 +329,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now,
     pathsleft_room : natural range 0 to 63;
   signal pathsleft_start_cost : natural_63_1d(1 to 8);
-  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour, pathsleft_tree_next_next_smallest_0,
-    pathsleft_low_0 : natural range 0 to 127;
+  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 127;
   signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change, pathsleft_cost,
     pathsleft_arrived : natural_127_1d(0 to 7);
   signal pathsleft_tree_smallest : natural_127_1d(0 to 3);
   signal pathsleft_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsleft_tree_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 127;
   signal pathsleft_g : natural range 0 to 84;
   signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 7;
   signal pathsleft_read_words : unsigned_28_1d(0 to 3);
@@ -333,8 +345,9 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
     pathsabove_write_address_is_here : boolean;
   signal pathsabove_memory_read_words : unsigned_16_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_read_words_2 : unsigned_8_1d(0 to 1);  -- _#_2
-  signal pathsabove_memory_held_words, pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
+  signal pathsabove_memory_held_words : natural_65535_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_ready_words : natural_65535_1d(0 to 2);  -- _# up to 65535, 65535, 255
+  signal pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 1);
   signal pathsabove_memory_held_words_2, pathsabove_memory_write_words_2 : natural_255_1d(0 to 1);  -- _#_2
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_read_address_count_phase, pathsabove_count_phase,
@@ -345,8 +358,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsabove_tree_next_next_smallest_0 : natural range 0 to 52;
   signal pathsabove_delay_held_0 : unsigned(29 downto 0);
   signal pathsabove_delay_held_1 : unsigned(17 downto 0);
-  signal pathsabove_smallest_total, pathsabove_smallest, pathsabove_lower_neighbour : natural range 0 to 63;
-  signal pathsabove_cost, pathsabove_held, pathsabove_beside : natural_63_1d(0 to 7);
+  signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
+  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 7);
+  signal pathsabove_lower_neighbour : natural range 0 to 63;
+  signal pathsabove_beside : natural_63_1d(0 to 7);
   signal pathsabove_own : natural_63_1d(0 to 6);
   signal pathsabove_step : natural_68_1d(0 to 7);
   signal pathsabove_stay : natural_31_1d(0 to 7);
@@ -364,10 +379,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsturn_cost_memory_read_words_0 : unsigned_16_1d(0 to 1);  -- _#_0
   signal pathsturn_sum_memory_read_words_3 : unsigned_8_1d(0 to 1);  -- _#_3
   signal pathsturn_cost_memory_read_words_1 : unsigned_8_1d(0 to 1);  -- _#_1
-  signal pathsturn_sum_memory_held_words, pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 2);
   signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 3);  -- _# up to 65535, 65535, 65535, 255
-  signal pathsturn_cost_memory_held_words_0, pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- _#_0
+  signal pathsturn_sum_memory_write_words : natural_65535_2d(0 to 1, 0 to 2);
+  signal pathsturn_cost_memory_held_words_0 : natural_65535_1d(0 to 1);  -- _#_0
   signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 1);  -- _# up to 65535, 255
+  signal pathsturn_cost_memory_write_words_0 : natural_65535_1d(0 to 1);  -- _#_0
   signal pathsturn_sum_memory_held_words_3, pathsturn_sum_memory_write_words_3 : natural_255_1d(0 to 1);  -- _#_3
   signal pathsturn_cost_memory_held_words_1, pathsturn_cost_memory_write_words_1 : natural_255_1d(0 to 1);  -- _#_1
   signal pathsturn_read_smallest_0 : unsigned(4 downto 0);
@@ -383,12 +400,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left, pathsright_q_now,
     pathsright_room : natural range 0 to 63;
   signal pathsright_start_cost : natural_63_1d(1 to 8);
-  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour, pathsright_tree_next_next_smallest_0,
-    pathsright_low_0 : natural range 0 to 127;
+  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 127;
   signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change, pathsright_cost,
     pathsright_arrived : natural_127_1d(0 to 7);
   signal pathsright_tree_smallest : natural_127_1d(0 to 3);
   signal pathsright_tree_next_smallest : natural_127_1d(0 to 1);
+  signal pathsright_tree_next_next_smallest_0, pathsright_low_0 : natural range 0 to 127;
   signal pathsright_g : natural range 0 to 94;
   signal pathsright_read_words : unsigned_28_1d(0 to 3);
   -- winnersmask
@@ -432,9 +449,10 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal other_13 : natural range 0 to 128;
   -- refinement
   signal refinement_disparity_0 : natural_255_1d(0 to 11);  -- _#_0
-  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0, refinement_v_0,
-    refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0,
+    refinement_v_0 : natural range 0 to 255;
   signal refinement_remainder_0, refinement_divisor_0 : natural_255_1d(0 to 7);  -- _#_0
+  signal refinement_quotient_8_0 : natural range 0 to 255;
   signal refinement_passed_0 : boolean_1d(1 to 3);  -- _#_0
   signal refinement_passed_0s : boolean_1d(6 to 8);  -- _#_0
   signal refinement_tag_valid : boolean_1d(0 to 11);  -- _#_valid
@@ -449,9 +467,12 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
   signal leftright_asking_disparity_0, leftright_answered_disparity_0,
     leftright_checked_disparity_0 : natural range 0 to 255;
   signal leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 63;
-  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_answered_passed_0,
-    leftright_checked_passed_0 : boolean;
-  signal leftright_asking_tag, leftright_answered_tag, leftright_checked_tag : tag_5;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0 : boolean;
+  signal leftright_asking_tag : tag_5;
+  signal leftright_answered_passed_0 : boolean;
+  signal leftright_answered_tag : tag_5;
+  signal leftright_checked_passed_0 : boolean;
+  signal leftright_checked_tag : tag_5;
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 127;
   signal leftright_held_0 : unsigned(17 downto 0);
   signal leftright_asking_fraction_0, leftright_answered_fraction_0,
@@ -471,27 +492,29 @@ architecture rtl of stereo_core_sgm_640_64_f8_lr is
     map_sorted_column : natural range 0 to 1023;
   signal map_counter_group : natural range 0 to 511;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
-    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
-    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
-    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
-    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
   signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
-  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0, map_of_low_0_a, map_of_low_0_b,
-    map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b,
-    map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a, map_of_all_0_b,
-    map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
   signal map_low_0, map_middle_0, map_high_0 : natural_32767_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
 
 begin
   in_start_of_frame <= start_of_frame = '1';

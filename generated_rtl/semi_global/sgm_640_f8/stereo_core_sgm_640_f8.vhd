@@ -219,12 +219,17 @@ architecture rtl of stereo_core_sgm_640_f8 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 4);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 4);
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 8);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 4);
+  signal transform_read_column_inside : boolean_1d(0 to 8);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 4);
+  signal transform_ready_column_inside : boolean_1d(0 to 8);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 4);
+  signal transform_columns_column_inside : boolean_1d(0 to 8);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 8);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -248,20 +253,23 @@ architecture rtl of stereo_core_sgm_640_f8 is
   -- line
   signal line_centre_map_column_0, line_centre_first_column_0, line_centre_start_of_frame_0, line_centre_end_of_line_0,
     line_order_falls, line_order_inside, line_order_complete, line_order_output, line_order_first,
-    line_order_held_output, line_order_turned_valid, line_order_turned_output_column, line_order_turned_start_of_frame,
-    line_places_0_top : boolean;
+    line_order_held_output, line_order_turned_valid, line_order_turned_output_column,
+    line_order_turned_start_of_frame : boolean;
   signal line_comes, line_starts_phases : boolean_1d(1 to 33);
   signal line_places_map_column : boolean_1d(0 to 4);  -- _#_map_column
   signal line_places_first_column : boolean_1d(0 to 2);  -- _#_first_column
+  signal line_places_0_top : boolean;
   signal line_places_shown_output_column : boolean_1d(0 to 4);  -- _#_shown_output_column
   signal line_places_shown_start_of_frame : boolean_1d(0 to 4);  -- _#_shown_start_of_frame
   signal line_places_shown_end_of_line : boolean_1d(0 to 4);  -- _#_shown_end_of_line
   signal line_order_address : natural range 0 to 1023;
   signal line_places_address : natural_1023_1d(0 to 2);  -- _#_address
   -- costsshift
-  signal costsshift_newest_0, costsshift_new_reference_0, costsshift_handed_on_0, costsshift_read_reference_0,
-    costsshift_reference_0 : unsigned(43 downto 0);
-  signal costsshift_read_words, costsshift_search_0 : unsigned_44_1d(0 to 15);
+  signal costsshift_newest_0, costsshift_new_reference_0 : unsigned(43 downto 0);
+  signal costsshift_read_words : unsigned_44_1d(0 to 15);
+  signal costsshift_handed_on_0, costsshift_read_reference_0 : unsigned(43 downto 0);
+  signal costsshift_search_0 : unsigned_44_1d(0 to 15);
+  signal costsshift_reference_0 : unsigned(43 downto 0);
   signal costsshift_new_tag_valid, costsshift_read_tag_valid : boolean;
   signal costsshift_count_phase, costsshift_read_count_phase, costsshift_write_phase : natural range 0 to 7;
   -- costswindow
@@ -286,13 +294,13 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal pathsleft_missing, pathsleft_below, pathsleft_q, pathsleft_room_left, pathsleft_q_now,
     pathsleft_room : natural range 0 to 31;
   signal pathsleft_start_cost : natural_31_1d(1 to 9);
-  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour, pathsleft_tree_next_next_next_smallest_0,
-    pathsleft_low_0 : natural range 0 to 63;
+  signal pathsleft_q_less, pathsleft_g_less, pathsleft_lower_neighbour : natural range 0 to 63;
   signal pathsleft_stay, pathsleft_step, pathsleft_stay_change, pathsleft_step_change, pathsleft_cost,
     pathsleft_arrived : natural_63_1d(0 to 15);
   signal pathsleft_tree_smallest : natural_63_1d(0 to 7);
   signal pathsleft_tree_next_smallest : natural_63_1d(0 to 3);
   signal pathsleft_tree_next_next_smallest : natural_63_1d(0 to 1);
+  signal pathsleft_tree_next_next_next_smallest_0, pathsleft_low_0 : natural range 0 to 63;
   signal pathsleft_g : natural range 0 to 46;
   signal pathsleft_read_count_phase, pathsleft_ahead_count_phase, pathsleft_write_count_phase : natural range 0 to 7;
   signal pathsleft_read_words : unsigned_30_1d(0 to 5);
@@ -304,8 +312,9 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal pathsabove_memory_bank, pathsabove_memory_read_bank, pathsabove_memory_held_bank, pathsabove_ready_top,
     pathsabove_write_address_is_here : boolean;
   signal pathsabove_memory_read_words : unsigned_16_2d(0 to 1, 0 to 4);
-  signal pathsabove_memory_held_words, pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 4);
+  signal pathsabove_memory_held_words : natural_65535_2d(0 to 1, 0 to 4);
   signal pathsabove_memory_ready_words : natural_65535_1d(0 to 4);
+  signal pathsabove_memory_write_words : natural_65535_2d(0 to 1, 0 to 4);
   signal pathsabove_read_address_address, pathsabove_write_address_address : natural range 0 to 8191;
   signal pathsabove_total : natural_44_1d(0 to 15);
   signal pathsabove_tree_smallest : natural_44_1d(0 to 7);
@@ -314,8 +323,10 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal pathsabove_tree_next_next_next_smallest_0 : natural range 0 to 44;
   signal pathsabove_delay_held : unsigned_30_1d(0 to 2);
   signal pathsabove_delay_held_3 : unsigned(5 downto 0);
-  signal pathsabove_smallest_total, pathsabove_smallest, pathsabove_lower_neighbour : natural range 0 to 63;
-  signal pathsabove_cost, pathsabove_held, pathsabove_beside : natural_63_1d(0 to 15);
+  signal pathsabove_smallest_total, pathsabove_smallest : natural range 0 to 63;
+  signal pathsabove_cost, pathsabove_held : natural_63_1d(0 to 15);
+  signal pathsabove_lower_neighbour : natural range 0 to 63;
+  signal pathsabove_beside : natural_63_1d(0 to 15);
   signal pathsabove_own : natural_63_1d(0 to 14);
   signal pathsabove_step : natural_67_1d(0 to 15);
   signal pathsabove_stay : natural_31_1d(0 to 15);
@@ -333,8 +344,9 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal pathsturn_cost_memory_read_words : unsigned_16_2d(0 to 1, 0 to 3);
   signal pathsturn_sum_memory_held_words : natural_65535_2d(0 to 1, 0 to 6);
   signal pathsturn_sum_memory_ready_words : natural_65535_1d(0 to 6);
-  signal pathsturn_cost_memory_held_words, pathsturn_cost_memory_write_words : natural_65535_2d(0 to 1, 0 to 3);
+  signal pathsturn_cost_memory_held_words : natural_65535_2d(0 to 1, 0 to 3);
   signal pathsturn_cost_memory_ready_words : natural_65535_1d(0 to 3);
+  signal pathsturn_cost_memory_write_words : natural_65535_2d(0 to 1, 0 to 3);
   signal pathsturn_sum_memory_write_words_0 : natural_65406_1d(0 to 1);  -- _#_0
   signal pathsturn_sum_memory_write_words_1 : natural_65503_1d(0 to 1);  -- _#_1
   signal pathsturn_sum_memory_write_words_2 : natural_65527_1d(0 to 1);  -- _#_2
@@ -354,13 +366,13 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal pathsright_missing, pathsright_below, pathsright_q, pathsright_room_left, pathsright_q_now,
     pathsright_room : natural range 0 to 31;
   signal pathsright_start_cost : natural_31_1d(1 to 9);
-  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour, pathsright_tree_next_next_next_smallest_0,
-    pathsright_low_0 : natural range 0 to 63;
+  signal pathsright_q_less, pathsright_g_less, pathsright_lower_neighbour : natural range 0 to 63;
   signal pathsright_stay, pathsright_step, pathsright_stay_change, pathsright_step_change, pathsright_cost,
     pathsright_arrived : natural_63_1d(0 to 15);
   signal pathsright_tree_smallest : natural_63_1d(0 to 7);
   signal pathsright_tree_next_smallest : natural_63_1d(0 to 3);
   signal pathsright_tree_next_next_smallest : natural_63_1d(0 to 1);
+  signal pathsright_tree_next_next_next_smallest_0, pathsright_low_0 : natural range 0 to 63;
   signal pathsright_g : natural range 0 to 46;
   signal pathsright_read_words : unsigned_30_1d(0 to 5);
   signal pathsright_read_words_6 : unsigned(11 downto 0);
@@ -395,25 +407,28 @@ architecture rtl of stereo_core_sgm_640_f8 is
   signal map_counter_group, map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0 : natural range 0 to 511;
   signal map_column : natural_511_1d(1 to 2);
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind, map_at_top,
-    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b,
-    map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
-    map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first, map_window_last,
-    map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a, map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_read_words_0 : unsigned(17 downto 0);
   signal map_rows_ready_words_0, map_rows_write_words_0 : natural range 0 to 262143;
   signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0,
-    map_sorted_high_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b,
-    map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0,
-    map_smallest_high_0, map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
+    map_sorted_high_0 : natural range 0 to 255;
   signal map_low_0, map_middle_0, map_high_0 : natural_255_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
   signal other : unsigned_49_1d(0 to 1);
   signal other_2 : natural range 0 to 510;

@@ -207,12 +207,17 @@ architecture rtl of stereo_core_tiny_sgm_road is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 2);  -- _2#
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 8, 0 to 2);  -- _#_2#
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_ready_row_inside, transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
-  signal transform_read_column_inside, transform_ready_column_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_read_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_ready_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside : boolean_1d(0 to 2);  -- _2#
+  signal transform_columns_column_inside : boolean_1d(0 to 4);  -- _2#
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);  -- _2#
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -242,8 +247,10 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0, rows_reference_rows_ready_words_0,
     rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_7;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_7;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16383_2d(0 to 2, 0 to 4);
   signal slice0shift_reference, slice0shift_search_out : natural_16383_1d(0 to 2);
@@ -305,11 +312,12 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal slice2_held_0 : natural_15_1d(0 to 1);
   -- entry
   signal entry_next_cost, entry_cost : natural_15_1d(0 to 11);
-  signal entry_next_tag, entry_tag : tag_4;
+  signal entry_next_tag : tag_4;
   signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output,
     entry_order_first, entry_order_held_output, entry_order_turned_output_column, entry_order_turned_first_column,
-    entry_order_turned_start_of_frame, entry_top, entry_turned_output_column, entry_turned_first_column,
-    entry_turned_start_of_frame : boolean;
+    entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_top, entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 31;
   -- forward
   signal forward_smallest_smallest : natural_15_1d(0 to 5);
@@ -332,17 +340,20 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal forward_left_stay_change, forward_left_step_change, forward_left_cost,
     forward_left_arrived : natural_127_1d(0 to 11);
   signal forward_left_start_cost : natural_63_1d(0 to 6);
-  signal forward_left_room, forward_left_relief_next_0, forward_left_relief_fours_0, forward_left_relief_older,
-    forward_left_relief_recent, forward_left_relief_largest, forward_left_relief_beyond, forward_above_own_0,
-    forward_above_own_11 : natural range 0 to 63;
+  signal forward_left_room, forward_left_relief_next_0 : natural range 0 to 63;
   signal forward_left_relief_past : natural_63_1d(0 to 5);
   signal forward_left_relief_pairs : natural_63_1d(0 to 1);
+  signal forward_left_relief_fours_0, forward_left_relief_older, forward_left_relief_recent,
+    forward_left_relief_largest, forward_left_relief_beyond : natural range 0 to 63;
   signal forward_above_cost, forward_above_beside : natural_63_1d(0 to 11);
+  signal forward_above_own_0 : natural range 0 to 63;
   signal forward_above_own : natural_63_1d(2 to 9);
+  signal forward_above_own_11 : natural range 0 to 63;
   signal forward_reliefs_moved : natural_63_1d(0 to 8);
   signal forward_left_first : boolean_1d(0 to 2);
-  signal forward_above_ready_top, forward_above_writes_copy_0 : boolean;
+  signal forward_above_ready_top : boolean;
   signal forward_above_comes : boolean_1d(0 to 9);
+  signal forward_above_writes_copy_0 : boolean;
   signal forward_first : boolean_1d(0 to 3);
   signal forward_left_relief_reach_of_best : natural range 0 to 255;
   signal forward_left_relief_room_of_best : natural range 0 to 190;
@@ -364,19 +375,21 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal sums_turn_read_costs_1 : unsigned(5 downto 0);
   signal sums_turn_read_smallest_0 : unsigned(8 downto 0);
   signal sums_turn_ready_costs_0, sums_turn_write_costs_0 : natural range 0 to 1073741823;
-  signal sums_turn_ready_costs_1, sums_turn_write_costs_1, sums_right_room, sums_right_relief_next_0,
-    sums_right_relief_fours_0, sums_right_relief_older, sums_right_relief_recent, sums_right_relief_largest,
-    sums_right_relief_beyond : natural range 0 to 63;
+  signal sums_turn_ready_costs_1, sums_turn_write_costs_1 : natural range 0 to 63;
   signal sums_right_start_cost : natural_63_1d(0 to 6);
+  signal sums_right_room, sums_right_relief_next_0 : natural range 0 to 63;
   signal sums_right_relief_past : natural_63_1d(0 to 5);
   signal sums_right_relief_pairs : natural_63_1d(0 to 1);
+  signal sums_right_relief_fours_0, sums_right_relief_older, sums_right_relief_recent, sums_right_relief_largest,
+    sums_right_relief_beyond : natural range 0 to 63;
   signal sums_turn_ready_smallest_0, sums_turn_write_smallest_0 : natural range 0 to 511;
-  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0 : boolean;
   signal sums_right_first : boolean_1d(0 to 2);
   signal sums_tag : tag_5;
   signal sums_tags_held_output_column : boolean_1d(0 to 4);  -- _#_output_column
   signal sums_tags_held_start_of_frame : boolean_1d(0 to 4);  -- _#_start_of_frame
   signal sums_tags_held_end_of_line : boolean_1d(0 to 4);  -- _#_end_of_line
+  signal sums_tags_moved : boolean;
   signal sums_turn_place : natural_31_1d(0 to 8);
   signal sums_turn_write_place : natural range 0 to 31;
   signal sums_cost : natural_7_2d(0 to 1, 0 to 11);
@@ -419,8 +432,9 @@ architecture rtl of stereo_core_tiny_sgm_road is
   signal relief_centre_column : natural_255_1d(0 to 4);
   signal relief_centre_grey_0, relief_before : natural range 0 to 255;
   signal relief_newest, relief_rows_read_newest_0, relief_rows_ready_words_0, relief_rows_ready_newest_0,
-    relief_rows_write_words_0, relief_shown_0, relief_column_0, relief_entering, relief_entered : natural range 0 to 63;
+    relief_rows_write_words_0, relief_shown_0, relief_column_0 : natural range 0 to 63;
   signal relief_waiting : natural_63_1d(0 to 8);
+  signal relief_entering, relief_entered : natural range 0 to 63;
   signal relief_delayed_0, relief_rows_read_words_0 : unsigned(5 downto 0);
   -- other
   signal other : unsigned_32_1d(0 to 2);

@@ -191,12 +191,14 @@ architecture rtl of stereo_core_tiny_trellis is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_read_column_inside, transform_ready_row_inside,
-    transform_ready_column_inside, transform_columns_row_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 4);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 4);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 4);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -218,14 +220,20 @@ architecture rtl of stereo_core_tiny_trellis is
   signal delay_tag : tag_7;
   -- rows
   signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
-    rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
-  signal rows_search_rows_ready_words, rows_search_rows_write_words, rows_reference_rows_ready_words,
-    rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_search_rows_read_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_read_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
   signal rows_search, rows_reference : natural_16777215_1d(0 to 2);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_7;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_7;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16777215_2d(0 to 2, 0 to 4);
   signal slice0shift_reference, slice0shift_search_out : natural_16777215_1d(0 to 2);
@@ -285,18 +293,20 @@ architecture rtl of stereo_core_tiny_trellis is
   signal slice2_held_0 : natural_13_1d(0 to 1);
   -- entry
   signal entry_next_cost, entry_cost : natural_13_1d(0 to 11);
-  signal entry_next_tag, entry_tag : tag_4;
+  signal entry_next_tag : tag_4;
   signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output,
-    entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame,
-    entry_turned_output_column, entry_turned_start_of_frame : boolean;
+    entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
   signal entry_order_address, entry_place : natural range 0 to 31;
   -- forward
   signal forward_next_cost : natural_13_1d(0 to 11);
   signal forward_next_first : boolean;
   signal forward_far : boolean_1d(0 to 5);
   signal forward_pair_cost : natural_31_1d(0 to 11);
-  signal forward_path, forward_stayed, forward_dropped : natural_511_1d(0 to 11);
+  signal forward_path, forward_stayed : natural_511_1d(0 to 11);
   signal forward_occluding : natural_511_1d(0 to 10);
+  signal forward_dropped : natural_511_1d(0 to 11);
   signal forward_decision : natural_3_1d(0 to 11);  -- _# up to 2, 3 x 11
   -- decisions
   signal decisions_read_words_0 : unsigned(23 downto 0);

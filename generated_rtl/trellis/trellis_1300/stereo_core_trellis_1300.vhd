@@ -200,12 +200,14 @@ architecture rtl of stereo_core_trellis_1300 is
     transform_right_rows_read_newest_0, transform_right_rows_ready_newest_0 : natural range 0 to 255;
   signal transform_left_column, transform_right_column : natural_255_1d(0 to 4);
   signal transform_left_filter_column, transform_right_filter_column : natural_255_2d(0 to 4, 0 to 4);
-  signal transform_valid, transform_counter_next_frame, transform_read_start_of_frame, transform_read_valid,
-    transform_ready_start_of_frame, transform_ready_valid, transform_columns_start_of_frame,
-    transform_columns_valid : boolean;
-  signal transform_read_row_inside, transform_read_column_inside, transform_ready_row_inside,
-    transform_ready_column_inside, transform_columns_row_inside, transform_columns_column_inside,
-    transform_filtering_0_column_inside : boolean_1d(0 to 4);
+  signal transform_valid, transform_counter_next_frame : boolean;
+  signal transform_read_row_inside, transform_read_column_inside : boolean_1d(0 to 4);
+  signal transform_read_start_of_frame, transform_read_valid : boolean;
+  signal transform_ready_row_inside, transform_ready_column_inside : boolean_1d(0 to 4);
+  signal transform_ready_start_of_frame, transform_ready_valid : boolean;
+  signal transform_columns_row_inside, transform_columns_column_inside : boolean_1d(0 to 4);
+  signal transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_column_inside : boolean_1d(0 to 4);
   signal transform_filtering_start_of_frame : boolean_1d(0 to 1);  -- _#_start_of_frame
   signal transform_filtering_valid : boolean_1d(0 to 1);  -- _#_valid
   signal transform_counter_column, transform_read_column, transform_ready_column,
@@ -227,14 +229,20 @@ architecture rtl of stereo_core_trellis_1300 is
   signal delay_tag : tag_7;
   -- rows
   signal rows_search_rows_read_words, rows_reference_rows_read_words : unsigned_24_1d(0 to 1);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0,
-    rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
-  signal rows_search_rows_ready_words, rows_search_rows_write_words, rows_reference_rows_ready_words,
-    rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_search_rows_read_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_search_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_read_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words : natural_16777215_1d(0 to 1);
+  signal rows_reference_rows_ready_newest_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words : natural_16777215_1d(0 to 1);
   signal rows_search, rows_reference : natural_16777215_1d(0 to 2);
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 2047;
-  signal rows_read_inside, rows_ready_inside : boolean_1d(0 to 2);
-  signal rows_read_tag, rows_ready_tag, rows_tag : tag_7;
+  signal rows_read_inside : boolean_1d(0 to 2);
+  signal rows_read_tag : tag_7;
+  signal rows_ready_inside : boolean_1d(0 to 2);
+  signal rows_ready_tag, rows_tag : tag_7;
   -- slice0shift
   signal slice0shift_search : natural_16777215_2d(0 to 2, 0 to 15);
   signal slice0shift_reference, slice0shift_search_out : natural_16777215_1d(0 to 2);
@@ -310,18 +318,20 @@ architecture rtl of stereo_core_trellis_1300 is
   signal slice3_held_0 : natural_13_1d(0 to 15);
   -- entry
   signal entry_next_cost, entry_cost : natural_13_1d(0 to 63);
-  signal entry_next_tag, entry_tag : tag_4;
+  signal entry_next_tag : tag_4;
   signal entry_next_top, entry_order_falls, entry_order_inside, entry_order_complete, entry_order_output,
-    entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame,
-    entry_turned_output_column, entry_turned_start_of_frame : boolean;
+    entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag : tag_4;
+  signal entry_turned_output_column, entry_turned_start_of_frame : boolean;
   signal entry_order_address, entry_place : natural range 0 to 2047;
   -- forward
   signal forward_next_cost : natural_13_1d(0 to 63);
   signal forward_next_first : boolean;
   signal forward_far : boolean_1d(0 to 57);
   signal forward_pair_cost : natural_31_1d(0 to 63);
-  signal forward_path, forward_stayed, forward_dropped : natural_2047_1d(0 to 63);
+  signal forward_path, forward_stayed : natural_2047_1d(0 to 63);
   signal forward_occluding : natural_2047_1d(0 to 62);
+  signal forward_dropped : natural_2047_1d(0 to 63);
   signal forward_decision : natural_3_1d(0 to 63);  -- _# up to 2, 3 x 63
   -- decisions
   signal decisions_read_words, decisions_write_words : unsigned_32_1d(0 to 3);
@@ -384,26 +394,30 @@ architecture rtl of stereo_core_trellis_1300 is
   signal map_counter_group : natural range 0 to 1023;
   signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_read_bottom, map_at_arrives,
     map_at_behind, map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a,
-    map_of_column_0_c_below_b, map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output,
-    map_sorted_arrives, map_sorted_behind, map_sorted_top, map_sorted_output, map_window_complete, map_window_first,
-    map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b, map_of_middle_0_b_below_a,
-    map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a,
-    map_of_high_0_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_out_passed_0,
-    map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
-  signal map_column_passed_0, map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+    map_of_column_0_c_below_b : boolean;
+  signal map_column_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives,
+    map_sorted_behind, map_sorted_top, map_sorted_output : boolean;
+  signal map_passed_0 : boolean_1d(0 to 1);  -- _#_0
+  signal map_window_complete, map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a,
+    map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a, map_of_middle_0_c_below_b,
+    map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_all_0_b_below_a,
+    map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
   signal map_waiting_complete : boolean_1d(0 to 2);  -- _#_complete
   signal map_waiting_first : boolean_1d(0 to 2);  -- _#_first
   signal map_waiting_last : boolean_1d(0 to 2);  -- _#_last
   signal map_waiting_passed_0 : boolean_1d(0 to 2);  -- _#_0
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0 : natural range 0 to 511;
   signal map_column : natural_511_1d(1 to 2);
   signal map_rows_read_words_0 : unsigned(17 downto 0);
   signal map_rows_ready_words_0, map_rows_write_words_0 : natural range 0 to 262143;
   signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0,
-    map_sorted_high_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b,
-    map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0,
-    map_smallest_high_0, map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
+    map_sorted_high_0 : natural range 0 to 255;
   signal map_low_0, map_middle_0, map_high_0 : natural_255_1d(0 to 2);  -- _#_0
+  signal map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b, map_of_middle_0_c,
+    map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0,
+    map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
   signal other_0 : boolean;
   signal other_1, other_3 : unsigned(48 downto 0);

@@ -118,10 +118,13 @@ def text(core: Core, is_presented: bool = False) -> str:
         lines[at:at] = (MARK + _ENDS).splitlines()
     lines += core.functions.splitlines()
     lines += [*(f"  {one}" for one in types_of(core.arrays.values())), *records.types_of(core.records)]
-    declared = grouped if is_presented else joined
-    lines += _declared("  signal ", declared(core.declarations), is_presented)
+    # The order of signals decides what synthesis makes of ties, that of variables nothing.
+    lines += _declared("  signal ", joined(core.declarations), is_presented)
     lines += ["", "begin", *core.concurrent, _PROCESS if is_presented else _OF_CLOCK]
-    lines += [*_declared("    variable ", declared(core.variables), is_presented), "  begin"]
+    lines += [
+        *_declared("    variable ", (grouped if is_presented else joined)(core.variables), is_presented),
+        "  begin",
+    ]
     lines += [*(_with_wait(core.body) if is_presented else tree.lines(core.body, "    ")), *core.end]
     return "\n".join(lines) + "\n"
 
@@ -176,18 +179,12 @@ def joined(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names]
         yield open_names
 
 
-def grouped(declarations: Iterable[str | Names | Array]) -> Iterator[str | Names]:
-    """All of one type together, between two comments."""
+def grouped(declarations: Iterable[str | Names | Array]) -> Iterator[Names]:
+    """All of one type together."""
     groups: dict[str, Names] = {}
     for one in map(_said, declarations):
-        if isinstance(one, str):
-            yield from groups.values()
-            yield one
-            groups = {}
-        elif one.kind in groups:
-            groups[one.kind].names += one.names
-        else:
-            groups[one.kind] = one
+        assert isinstance(one, Names)
+        groups.setdefault(one.kind, Names(one.kind, [])).names += one.names
     yield from groups.values()
 
 
