@@ -184,7 +184,7 @@ int Painter::slopes() {
 
 void Painter::rough() {
    const int noise = 1 + random_.below(3 * slopes());
-   // Of one pixel in so many hundred: with few of them most costs stay the largest.
+   // Of so many pixels in a hundred: with few of them most costs stay the largest.
    const int some = 5 + random_.below(96);
    for (DeepImage* image : {&pair.left, &pair.right})
       fill(*image, [&](int x, int y) {

@@ -66,7 +66,7 @@ TEST(StressPairs, StepsMatchAtEachDisparityOfTheRange) {
    for (const int first : {0, -3, 5}) {
       StressShape shape = kShape;
       shape.first_disparity = first;
-      for (const StressClass kind : {StressClass::steps, StressClass::stairs}) {
+      for (const StressClass kind : {StressClass::steps, StressClass::stairs, StressClass::tiles}) {
          const std::set<int> found = only_matches(pairs(kind, shape), shape);
          EXPECT_EQ(int(found.size()), shape.disparities) << "class " << int(kind) << ", from " << first;
       }
@@ -114,17 +114,42 @@ TEST(StressPairs, OneImageRisesWhereTheOtherFalls) {
 
 TEST(StressPairs, RoughSlopesHaveLargeCostsThatDiffer) {
    // Of a census of neighbours: where the left image rises, the right one falls, but for a part of the pixels.
-   Random random(test_seed());
-   for (int i = 0; i < 20; ++i) {
-      const DeepPair pair = stress_pair(StressClass::rough, {40, 12, 0, 16}, random);
-      int opposite = 0, all = 0;
-      for (int y = 0; y < 12; ++y)
-         for (int x = 1; x < 40; ++x, ++all)
-            opposite +=
-                (pair.left.at(x, y) > pair.left.at(x - 1, y)) != (pair.right.at(x, y) > pair.right.at(x - 1, y));
-      EXPECT_GT(opposite, all / 2) << i;
-      EXPECT_LE(opposite, all);
+   int opposite = 0, all = 0, ragged = 0;
+   for (const DeepPair& pair : pairs(StressClass::rough, kShape)) {
+      int of_pair = 0, count = 0;
+      for (int y = 0; y < kShape.height; ++y)
+         for (int x = 1; x < kShape.width; ++x, ++count)
+            of_pair += (pair.left.at(x, y) > pair.left.at(x - 1, y)) != (pair.right.at(x, y) > pair.right.at(x - 1, y));
+      opposite += of_pair;
+      all += count;
+      ragged += of_pair < count * 9 / 10;
    }
+   EXPECT_GT(double(opposite) / all, 0.6) << "0.5 of noise";
+   EXPECT_LT(double(opposite) / all, 0.95) << "1 of slopes without noise";
+   EXPECT_GT(ragged, kPairs / 4);
+}
+
+TEST(StressPairs, TilesDifferMuchBesideTheirDisparity) {
+   double beside = 0;
+   int all = 0;
+   for (const DeepPair& pair : pairs(StressClass::tiles, kShape))
+      for (int y = 0; y < kShape.height; ++y)
+         for (int x = 1; x < kShape.width; ++x, ++all)
+            beside += std::abs(int(pair.right.at(x, y)) - int(pair.right.at(x - 1, y)));
+   EXPECT_GT(beside / all, 100) << "85 of noise";
+}
+
+TEST(StressPairs, EnlargedPairsAreOfBlocksOfAboutOneLevel) {
+   int most = 0;
+   for (const DeepPair& pair : pairs(StressClass::enlarged, kShape)) {
+      for (const DeepImage* image : {&pair.left, &pair.right})
+         for (int y = 0; y < kShape.height; ++y)
+            for (int x = 0; x < kShape.width; ++x)
+               EXPECT_LE(std::abs(image->at(x, y) - image->at(x / 4 * 4, y / 4 * 4)), 255 / 16);
+      for (int x = 4; x < kShape.width; x += 4)
+         most = std::max(most, std::abs(pair.left.at(x, 0) - pair.left.at(x - 4, 0)));
+   }
+   EXPECT_GT(most, 200) << "from block to block";
 }
 
 TEST(StressPairs, FewLevelsAndPeriodsTie) {

@@ -16,7 +16,7 @@ constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond t
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;                             // so that each event comes
-constexpr int kFlushClocks = 5000, kBehindFlushClocks = 10000;  // for starts within the flush
+constexpr int kFlushClocks = 5000, kBehindFlushClocks = 10000;  // for starts within the flush, and behind it
 constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
 constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one

@@ -154,7 +154,7 @@ def _declared(start: str, declarations: Iterable[str | Names], is_folded: bool) 
         kind, _, remark = one.kind.partition(_REMARK)
         end = f" : {kind};"
         shown = _folded(start + ", ".join(one.names), end) if is_folded else wrapped(start, one.names, end)
-        lines += [*shown[:-1], shown[-1] + (f"  -- {remark}" if remark else "")]
+        lines += [*shown[:-1], shown[-1] + (_REMARK + remark if remark else "")]
     return lines
 
 
