@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from conftest import need
+from flow.base.python_module import of_native_build
 from flow.base.tools import ROOT, find_stereo_hls, run
 from flow_commands import call, random_pair, refused
 
@@ -99,7 +100,8 @@ def test_the_page_has_the_options_of_the_row():
 
 
 def configure(rows, build):
-    command = ["cmake", "--preset", "release", "-B", build, "-Wno-dev", f"-DSTEREO_OWN_ROWS={rows}"]
+    as_native = [f"-D{name}={value}" for name, value in of_native_build().items()]
+    command = ["cmake", "--preset", "release", "-B", build, "-Wno-dev", f"-DSTEREO_OWN_ROWS={rows}", *as_native]
     return subprocess.run(list(map(str, command)), cwd=ROOT, capture_output=True, text=True)
 
 

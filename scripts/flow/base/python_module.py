@@ -31,7 +31,7 @@ def install(say: Say = print) -> Path:
         "--disable-pip-version-check",
         "--no-build-isolation",
         "--no-deps",
-        *(f"--config-settings=cmake.define.{name}={value}" for name, value in _of_native_build().items()),
+        *(f"--config-settings=cmake.define.{name}={value}" for name, value in of_native_build().items()),
         ROOT,
     ]
     with exclusive(ROOT / "build" / "python-module.lock"):
@@ -42,9 +42,9 @@ def install(say: Say = print) -> Path:
     return programs
 
 
-def _of_native_build() -> dict[str, str]:
+def of_native_build() -> dict[str, str]:
     """What is given to CMake as the native build has it: with the same compiler, of the same name, and the same options
-    the compiler cache has most objects from there. By itself the module takes the compiler that made Python."""
+    another build finds most objects in the compiler cache. By itself the module takes the compiler that made Python."""
     try:
         cache = Path(find_stereo_hls()).with_name("CMakeCache.txt").read_text()
     except (FlowError, OSError):  # the module does not need that build
