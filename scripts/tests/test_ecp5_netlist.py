@@ -295,6 +295,23 @@ def test_copies_are_proven_equal(controlled: Controlled, tmp_path: Path) -> None
     assert ecp5_fanout.copy_wide_controls(after["modules"]["top"], largest=WIDE) == 0, "no copy is wide"
 
 
+def enabled_by_one(readers: int, others: int) -> dict[str, Any]:
+    """A netlist in which one register enables `readers` others, beside `others`."""
+    driver = {"type": "TRELLIS_FF", "connections": {"Q": [2], "DI": ["0"]}}
+    enabled = {f"enabled_{i}": {"type": "TRELLIS_FF", "connections": {"Q": [3 + i], "CE": [2]}} for i in range(readers)}
+    free = {f"free_{i}": {"type": "TRELLIS_FF", "connections": {"Q": [3 + readers + i]}} for i in range(others)}
+    return {"cells": {"driver": driver} | enabled | free, "netnames": {}}
+
+
+@pytest.mark.parametrize(
+    "readers, others, copies",
+    [(9_000, 23_767, 0), (9_000, 23_768, 9), (8_192, 30_000, 0), (16_384, 1_000, 0), (16_385, 1_000, 17)],
+)
+def test_a_large_design_has_copies_for_fewer_readers(readers: int, others: int, copies: int) -> None:
+    """32,768 registers are no large design yet, 32,769 are."""
+    assert ecp5_fanout.copy_wide_controls(enabled_by_one(readers, others)) == copies
+
+
 def test_registers_that_hang_together_have_one_copy(controlled: Controlled) -> None:
     """A wide row behind each bit: the copy of a register is that of the one before it, for nearly all."""
     pin, before = controlled

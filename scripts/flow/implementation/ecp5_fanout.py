@@ -6,28 +6,40 @@ takes longer than a clock, and nextpnr gives global nets to clocks alone. Each c
 which a placer puts side by side.
 """
 
+from __future__ import annotations
+
 from collections import deque
 from collections.abc import Mapping
 from typing import Any
 
 from .ecp5_half import Bit, Cell
 
-# Below this the one register gets along: that of `sgm_450` enables 11,537 and routes above its aim. In `sgm_640` it is
+# Up to this the one register gets along: that of `sgm_450` enables 11,537 and routes above its aim. In `sgm_640` it is
 # 22,722. The reset of `vga_64` in its shell has 13,844 readers.
 LARGEST_CONTROLS = {"CE": 16_384, "LSR": 12_288}
+# In a larger design the readers stand further apart: `sgm_450_dense` has 34,872 registers, and one enables 11,724.
+LARGE_DESIGN = 32_768
+LARGEST_CONTROLS_THERE = LARGEST_CONTROLS | {"CE": 8_192}
 READERS_OF_A_COPY = 1_024
 # A net of more readers says nothing about which of them belong together.
 LARGEST_NEIGHBOURHOOD = 8
 
 
+def largest_controls(registers: int) -> Mapping[str, int]:
+    """{pin: readers up to which one register is enough}, of a design with so many registers."""
+    return LARGEST_CONTROLS_THERE if registers > LARGE_DESIGN else LARGEST_CONTROLS
+
+
 def copy_wide_controls(
     module: dict[str, Any],
-    largest: Mapping[str, int] = LARGEST_CONTROLS,
+    largest: Mapping[str, int] | None = None,
     readers_of_a_copy: int = READERS_OF_A_COPY,
 ) -> int:
-    """Returns how many registers were added. Only clock enables and resets of registers change to a copy."""
+    """Returns how many registers were added. Only clock enables and resets of registers change to a copy. `largest`:
+    {pin: readers up to which there is no copy}, by itself those of a design of that size."""
     cells: dict[str, Cell] = module["cells"]
     registers = {name: cell for name, cell in cells.items() if cell["type"] == "TRELLIS_FF"}
+    largest = largest_controls(len(registers)) if largest is None else largest
     drivers = {cell["connections"]["Q"][0]: name for name, cell in registers.items()}
     used = (b for cell in cells.values() for bits in cell["connections"].values() for b in bits if isinstance(b, int))
     first_free = 1 + max(used)
