@@ -3,11 +3,13 @@
 
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"
 #include "definition/map_geometry.hpp"
 #include "engines/option_values.hpp"
+#include "scene/random.hpp"
 
 namespace stereo {
 
@@ -35,6 +37,8 @@ class Algorithm {
    // Both for grey values of up to pixel_bits() bits, where these are more than 8.
    virtual DisparityMap match_fast(const DeepImage& left, const DeepImage& right, int threads) const = 0;
    virtual DisparityMap match_reference(const DeepImage& left, const DeepImage& right) const = 0;
+   /// Pairs of this size for the stress stream, beside those of the classes that all families get.
+   virtual std::vector<DeepPair> own_stress_pairs(int width, int height, Random& random) const = 0;
 };
 
 // The functions of a family's namespace, seen from where no member of the same name hides them.
@@ -57,6 +61,12 @@ template <class Image, class Matching>
 DisparityMap reference(const Image& left, const Image& right, const Matching& matching) {
    return match_reference(left, right, matching);
 }
+template <class Matching>
+std::vector<DeepPair> stress_pairs(const Matching& matching, int width, int height, Random& random) {
+   if constexpr (requires { own_stress_pairs(matching, width, height, random); })
+      return own_stress_pairs(matching, width, height, random);
+   else return {};
+}
 /// Whether the family has models of pixels of more than 8 bits.
 template <class Matching>
 inline constexpr bool kIsDeep = requires(const Matching& matching, const DeepImage& image) {
@@ -66,7 +76,8 @@ inline constexpr bool kIsDeep = requires(const Matching& matching, const DeepIma
 };
 }  // namespace of_family
 
-/// Matching: the options of a family. Its namespace has describe, map_geometry, match_fast and match_reference.
+/// Matching: the options of a family. Its namespace has describe, map_geometry, match_fast and match_reference,
+/// and own_stress_pairs where its core needs some.
 template <class Matching>
 class AlgorithmOf final : public Algorithm {
   public:
@@ -99,6 +110,9 @@ class AlgorithmOf final : public Algorithm {
    DisparityMap match_reference(const DeepImage& left, const DeepImage& right) const override {
       if constexpr (of_family::kIsDeep<Matching>) return of_family::reference(left, right, matching_);
       else throw std::invalid_argument(kOnly8Bits);
+   }
+   std::vector<DeepPair> own_stress_pairs(int width, int height, Random& random) const override {
+      return of_family::stress_pairs(matching_, width, height, random);
    }
 
   private:

@@ -4,4 +4,5 @@
 
 #include "definition/dynamic_range/matching_input.hpp"
 #include "definition/dynamic_range/reference_model.hpp"
+#include "definition/dynamic_range/stress_pairs.hpp"
 #include "engines/fast/dynamic_range/fast_model.hpp"

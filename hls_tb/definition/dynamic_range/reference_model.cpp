@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "definition/dynamic_range/matching_input.hpp"
-#include "definition/dynamic_range/search_windows.hpp"
 #include "definition/phase_correlation/reference_model.hpp"
 #include "definition/postprocessing.hpp"
 
@@ -48,9 +47,7 @@ CensusImage any_codes(const Image& image, const Matching& matching) {
 }
 
 template <class Image>
-DisparityMap match(const Image& left, const Image& right, const Matching& matching) {
-   check_matching_input(left, right, matching);
-   const Targets targets = search_targets(block_ranges(coarse_map(left, right, matching)), matching);
+DisparityMap with_targets(const Image& left, const Image& right, const Targets& targets, const Matching& matching) {
    const CensusImage l = any_codes(left, matching), r = any_codes(right, matching);
    const Track low = follow(l, r, targets.low, matching), high = follow(l, r, targets.high, matching);
    DisparityMap map(low.best.width, low.best.height, 0, matching.subpixel);
@@ -65,6 +62,13 @@ DisparityMap match(const Image& left, const Image& right, const Matching& matchi
    return matching.median ? median_filtered(map) : map;
 }
 
+template <class Image>
+DisparityMap match(const Image& left, const Image& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   return with_targets(left, right, search_targets(block_ranges(coarse_map(left, right, matching)), matching),
+                       matching);
+}
+
 }  // namespace
 
 CensusImage codes_of(const GrayImage& image, const Matching& matching) { return any_codes(image, matching); }
@@ -73,6 +77,12 @@ CensusImage codes_of(const DeepImage& image, const Matching& matching) { return 
 int code_cost(uint64_t a, uint64_t b, const Matching& matching) {
    return matching.codes == Codes::phase ? phase_correlation::code_cost(a, b, matching.phase_scales)
                                          : std::popcount(a ^ b);
+}
+
+DisparityMap match_with_targets(const DeepImage& left, const DeepImage& right, const Targets& targets,
+                                const Matching& matching) {
+   check_matching_input(left, right, matching);
+   return with_targets(left, right, targets, matching);
 }
 
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {

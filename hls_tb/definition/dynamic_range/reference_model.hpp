@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "definition/dynamic_range/search_windows.hpp"
 #include "definition/stages.hpp"
 #include "dynamic_range/matching.hpp"
 
@@ -15,6 +16,10 @@ CensusImage codes_of(const DeepImage& image, const Matching& matching);
 
 /// The cost of two codes.
 int code_cost(uint64_t a, uint64_t b, const Matching& matching);
+
+/// Y5 to the end, with these targets. Throws as match_reference does.
+DisparityMap match_with_targets(const DeepImage& left, const DeepImage& right, const Targets& targets,
+                                const Matching& matching);
 
 /// All of it. Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching);

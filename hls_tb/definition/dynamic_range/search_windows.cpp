@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "definition/block_matching/reference_model.hpp"
 #include "definition/phase_correlation/reference_model.hpp"
@@ -14,12 +13,14 @@ namespace {
 constexpr int kCoarseBlock = Matching::kBlock / Matching::kCoarse;
 
 /// A coarse pixel counts if its own disparity is consistent, and that of two neighbours too.
-bool counts(const DisparityMap& coarse, int x, int y) {
-   const auto agrees = [&](int u, int v) {
-      return u >= 0 && v >= 0 && u < coarse.width && v < coarse.height && coarse.valid_at(u, v) &&
-             std::abs(coarse.at(u, v) - coarse.at(x, y)) <= 1;
+bool counts(const DisparityMap& coarse, int x, int y, const NeighbourAgreement& agreement) {
+   const auto agrees = [&](int u, int v, const Agreement& may) {
+      if (u < 0 || v < 0 || u >= coarse.width || v >= coarse.height || !coarse.valid_at(u, v)) return false;
+      const int difference = coarse.at(u, v) - coarse.at(x, y);
+      return difference >= may.lowest && difference <= may.highest;
    };
-   const int neighbours = agrees(x - 1, y) + agrees(x + 1, y) + agrees(x, y - 1) + agrees(x, y + 1);
+   const int neighbours = agrees(x - 1, y, agreement.left) + agrees(x + 1, y, agreement.right) +
+                          agrees(x, y - 1, agreement.above) + agrees(x, y + 1, agreement.below);
    return coarse.valid_at(x, y) && neighbours >= 2;
 }
 
@@ -65,13 +66,13 @@ DisparityMap coarse_map(const DeepImage& left, const DeepImage& right, const Mat
    return whole_range(left, right, matching);
 }
 
-Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse) {
+Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse, const NeighbourAgreement& agreement) {
    Blocks<std::optional<Range>> ranges(coarse.width / kCoarseBlock, coarse.height / kCoarseBlock);
    for (int y = 0; y < coarse.height; ++y)
       for (int x = 0; x < coarse.width; ++x) {
          if (x / kCoarseBlock >= ranges.width || y / kCoarseBlock >= ranges.height) continue;
          const int first = Matching::kCoarse * coarse.at(x, y), last = first + Matching::kCoarse - 1;
-         if (counts(coarse, x, y)) join(ranges.at(x / kCoarseBlock, y / kCoarseBlock), {first, last});
+         if (counts(coarse, x, y, agreement)) join(ranges.at(x / kCoarseBlock, y / kCoarseBlock), {first, last});
       }
    return ranges;
 }

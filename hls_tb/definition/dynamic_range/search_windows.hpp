@@ -43,8 +43,17 @@ DeepImage coarse_image(const DeepImage& image, int more_columns);
 DisparityMap coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching);
 DisparityMap coarse_map(const DeepImage& left, const DeepImage& right, const Matching& matching);
 
+/// By how much the disparity of a neighbour may differ from that of a coarse pixel, in coarse disparities.
+struct Agreement {
+   int lowest = -1, highest = 1;
+};
+/// Of each neighbour. Other values than these are for tests.
+struct NeighbourAgreement {
+   Agreement left, right, above, below;
+};
+
 /// Y3. What is known of each block.
-Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse);
+Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse, const NeighbourAgreement& agreement = {});
 
 /// Y4. The first disparity that each search window would like to have in a block.
 struct Targets {

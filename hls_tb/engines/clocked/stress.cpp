@@ -62,8 +62,12 @@ class Stress {
    }
 
    /// What random streams meet too seldom, in so many clocks or a few more.
-   StimulusWriter make_last(std::size_t clocks) {
+   StimulusWriter make_last(std::size_t clocks, const std::vector<DeepPair>& own) {
       starts_behind_the_flush();
+      for (const DeepPair& images : own) {
+         writer_.rows(images, {0, images.left.height});
+         writer_.gap(schedule());
+      }
       last_frames(clocks);
       writer_.drain(core_.schedule);
       return std::move(writer_);
@@ -297,7 +301,7 @@ Stimulus stream_of(const std::string& config_name, const CoreShape& core, uint64
 }  // namespace
 
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
-                              std::size_t clocks) {
+                              std::size_t clocks, const std::vector<DeepPair>& own) {
    const auto stream = [&] { return stream_of(config_name, core, seed, Stress(core, seed).make()); };
    Stimulus stimulus = stream();
    while (stimulus.clocks.size() < clocks) {
@@ -305,7 +309,7 @@ Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& c
       append(stimulus, stream());
    }
    seed += kNextSeed;
-   append(stimulus, stream_of(config_name, core, seed, Stress(core, seed).make_last(clocks / kLastShare)));
+   append(stimulus, stream_of(config_name, core, seed, Stress(core, seed).make_last(clocks / kLastShare, own)));
    return stimulus;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "engines/clocked/stimulus.hpp"
 
@@ -12,10 +13,11 @@ namespace stereo {
 /// with settings of its own, and of other sizes, where the core has such ports. Of one whose frames are long, the first
 /// rows of each. That is a stream of some 25,000 clocks for a small core; streams of other seeds follow until there are
 /// `clocks` of them at least: what one misses, another one shows most often. The last one has what they meet too
-/// seldom: starts in the clock behind each row of the flush, and the largest costs of a census that differ.
-/// docs/cosimulation.md has its score. Other seeds give other streams.
+/// seldom: starts in the clock behind each row of the flush, the largest costs of a census that differ, and `own`, the
+/// pairs of the core's family, of the size of its images. docs/cosimulation.md has its score. Other seeds give other
+/// streams.
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
-                              std::size_t clocks = 1);
+                              std::size_t clocks = 1, const std::vector<DeepPair>& own = {});
 
 /// Puts a stimulus behind another one of the same core, with a clock of reset between them. Returns the clock in which
 /// it begins.

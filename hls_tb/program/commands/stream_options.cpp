@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "engines/clocked/stress.hpp"
+#include "engines/configurations.hpp"
 #include "program/commands/checks.hpp"
 #include "program/commands/pair_options.hpp"
 #include "program/errors.hpp"
@@ -36,13 +37,22 @@ Stimulus stream_of_images(const StreamArguments& arguments, const std::string& c
    return stream_of(load_pair(arguments.left, arguments.right));
 }
 
+/// Those of its family; a stage has none.
+std::vector<DeepPair> own_stress_pairs(const std::string& config, uint64_t seed) {
+   const Configuration* const known = find_configuration(config);
+   if (known == nullptr) return {};
+   Random random(seed);
+   return known->algorithm->own_stress_pairs(known->shape.image.width_px, known->shape.image.height_px, random);
+}
+
 }  // namespace
 
 Stream make_stream(const StreamArguments& arguments, const std::string& config, const CoreShape& shape) {
    const bool has_images = !arguments.left.empty();
    if (!arguments.stress && !has_images) throw InputError("nothing to send: give --stress, or --left and --right");
    if (!arguments.stress) return {stream_of_images(arguments, config, shape)};
-   Stream stream{make_stress_stimulus(config, shape, arguments.options.seed, std::size_t(arguments.stress_clocks))};
+   Stream stream{make_stress_stimulus(config, shape, arguments.options.seed, std::size_t(arguments.stress_clocks),
+                                      own_stress_pairs(config, arguments.options.seed))};
    if (has_images) stream.images_from = append(stream.stimulus, stream_of_images(arguments, config, shape));
    return stream;
 }
