@@ -12,7 +12,7 @@ import pytest
 from cover import with_slow
 from flow.base import places
 from flow.base.tools import ROOT
-from flow_commands import altered_rtl, cosim, random_pair, report
+from flow_commands import altered_rtl, call, cosim, random_pair, report
 
 FAULTS = {
     "constant: one row too many": (r"raster_place_group = 11", "raster_place_group = 10"),
@@ -181,6 +181,20 @@ def test_fault_of_the_control_is_caught(ghdl, pair, tmp_path, fault):
     assert process.returncode in (1, 4), f"{fault} was not caught: {process.stdout}"
     if process.returncode == 1:
         assert_named(process, report(tmp_path / "out"), fault)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("neighbour", ["2", "3", "4"])
+@pytest.mark.parametrize("change", [(r" <\s+3\)", " <= 3)"), (r" >= 0\)", " >= -1)")], ids=["upward", "downward"])
+def test_a_coarse_neighbour_that_may_differ_by_two_is_caught(verilator, tmp_path, neighbour, change):
+    """Of the dynamic range, by the default command: random pairs show that too seldom."""
+    before, after = change
+    name = f"ranges_counts_difference_{neighbour}"
+    rtl = altered_rtl(tmp_path / "rtl", "tiny_dynamic", rf"\({name}{before}", f"({name}{after}")
+    words = ["--config", "tiny_dynamic", "--rtl", rtl, "--allow-edited", "--simulator", "verilator"]
+    process = call("cosim.py", *words, "--out", tmp_path / "out")
+    assert process.returncode == 1, process.stdout + process.stderr
+    assert report(tmp_path / "out")["mismatches"] > 0
 
 
 def test_failure_is_reported_in_full(ghdl, pair, tmp_path):

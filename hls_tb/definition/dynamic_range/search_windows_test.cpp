@@ -51,6 +51,25 @@ TEST(SearchWindows, APixelCountsWithTwoThatAgree) {
    EXPECT_FALSE(block_ranges(coarse).at(1, 0));
 }
 
+TEST(SearchWindows, EachNeighbourHasItsAgreement) {
+   // The centre of a cross agrees with none; with two sides that may differ by 2 it counts.
+   DisparityMap coarse(6, 6, 0);
+   for (uint8_t& valid : coarse.valid) valid = 0;
+   const auto set = [&](int x, int y, int disparity) {
+      coarse.at(x, y) = uint16_t(disparity);
+      coarse.valid_at(x, y) = 1;
+   };
+   set(2, 2, 5), set(1, 2, 3), set(3, 2, 7), set(2, 1, 3), set(2, 3, 7);
+   const auto counts = [&](const NeighbourAgreement& agreement) {
+      return block_ranges(coarse, agreement).at(1, 1).has_value();
+   };
+   EXPECT_FALSE(counts({}));
+   EXPECT_TRUE(counts({.left = {-2, 1}, .right = {-1, 2}}));
+   EXPECT_TRUE(counts({.above = {-2, 1}, .below = {-1, 2}}));
+   EXPECT_FALSE(counts({.left = {-1, 2}, .right = {-1, 2}, .above = {-1, 2}}));
+   EXPECT_FALSE(counts({.right = {-2, 1}, .above = {-2, 1}, .below = {-2, 1}}));
+}
+
 TEST(SearchWindows, NothingKnownLeavesTheNearbyRange) {
    const Targets targets = search_targets(Ranges(5, 2), kSmall);
    for (const int low : targets.low.values) EXPECT_EQ(low, 0);

@@ -33,8 +33,8 @@ std::vector<DeepPair> own_stress_pairs(const Matching& matching, int width, int 
    if (width * height > kLargest) return found;
    std::vector<NeighbourAgreement> sought = off_by_one();
    for (int i = 0; i < kTries && !sought.empty(); ++i) {
-      DeepPair pair = stress_pair(StressClass::patchwork,
-                                  {width, height, 0, matching.disparities, matching.pixel_bits}, random);
+      DeepPair pair =
+          stress_pair(StressClass::patchwork, {width, height, 0, matching.disparities, matching.pixel_bits}, random);
       const DisparityMap coarse = coarse_map(pair.left, pair.right, matching);
       const Targets targets = search_targets(block_ranges(coarse), matching);
       const auto is_shown = [&](const NeighbourAgreement& wrong) {

@@ -300,8 +300,8 @@ Stimulus stream_of(const std::string& config_name, const CoreShape& core, uint64
 
 }  // namespace
 
-Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
-                              std::size_t clocks, const std::vector<DeepPair>& own) {
+Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed, std::size_t clocks,
+                              const std::vector<DeepPair>& own) {
    const auto stream = [&] { return stream_of(config_name, core, seed, Stress(core, seed).make()); };
    Stimulus stimulus = stream();
    while (stimulus.clocks.size() < clocks) {

@@ -201,6 +201,22 @@ TEST(Stress, AFrameStartsBehindEachRowOfTheFlush) {
    }
 }
 
+TEST(Stress, PairsOfTheFamilyComeWhole) {
+   const CoreModule& core = core_module("tiny");
+   Random random(test_seed());
+   const StressShape shape{core.shape.image.width_px, core.shape.image.height_px, 0, 8};
+   const std::vector<DeepPair> own{stress_pair(StressClass::noise, shape, random),
+                                   stress_pair(StressClass::noise, shape, random)};
+   const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed(), 1, own);
+   std::vector<int> left;
+   for (const WideInput& in : made.clocks)
+      if (in.valid) left.push_back(in.left[0]);
+   for (const DeepPair& pair : own) {
+      const std::vector<int> sent(pair.left.pixels.begin(), pair.left.pixels.end());
+      EXPECT_FALSE(std::ranges::search(left, sent).empty());
+   }
+}
+
 TEST(Stress, AnAppendedStreamGivesWhatItGivesAlone) {
    for (const char* const name : {"tiny", "tiny_settings", "tiny_size"}) {
       const CoreModule& core = core_module(name);
