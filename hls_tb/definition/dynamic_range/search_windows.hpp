@@ -49,7 +49,7 @@ struct Agreement {
 };
 /// Of each neighbour. Other values than these are for tests.
 struct NeighbourAgreement {
-   Agreement left, right, above, below;
+   Agreement left{}, right{}, above{}, below{};
 };
 
 /// Y3. What is known of each block.
