@@ -124,8 +124,8 @@ stereo_add_unit_tests(
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
   definition/dynamic_range/reference_model_test.cpp
-  definition/dynamic_range/stress_pairs_test.cpp
   definition/dynamic_range/search_windows_test.cpp
+  definition/dynamic_range/stress_pairs_test.cpp
   definition/phase_correlation/reference_model_test.cpp
   definition/rectification/reference_model_test.cpp
   definition/postprocessing_test.cpp

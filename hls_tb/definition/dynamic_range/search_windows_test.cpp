@@ -25,13 +25,18 @@ TEST(SearchWindows, CoarsePixelsAreRoundedMeans) {
    EXPECT_EQ(coarse.pixels, (std::vector<uint8_t>{10, 11, 11, 11, 10, 10, 10, 10}));
 }
 
-TEST(SearchWindows, APixelCountsWithTwoThatAgree) {
-   DisparityMap coarse(6, 4, 0);
+/// Makes all pixels unknown; returns a function that gives one a disparity.
+auto setter(DisparityMap& coarse) {
    for (uint8_t& valid : coarse.valid) valid = 0;
-   const auto set = [&](int x, int y, int disparity) {
+   return [&coarse](int x, int y, int disparity) {
       coarse.at(x, y) = uint16_t(disparity);
       coarse.valid_at(x, y) = 1;
    };
+}
+
+TEST(SearchWindows, APixelCountsWithTwoThatAgree) {
+   DisparityMap coarse(6, 4, 0);
+   const auto set = setter(coarse);
    // An L of three: only its corner has two neighbours.
    set(2, 1, 5), set(3, 1, 6), set(2, 2, 4);
    const Ranges ranges = block_ranges(coarse);
@@ -54,11 +59,7 @@ TEST(SearchWindows, APixelCountsWithTwoThatAgree) {
 TEST(SearchWindows, EachNeighbourHasItsAgreement) {
    // The centre of a cross agrees with none; with two sides that may differ by 2 it counts.
    DisparityMap coarse(6, 6, 0);
-   for (uint8_t& valid : coarse.valid) valid = 0;
-   const auto set = [&](int x, int y, int disparity) {
-      coarse.at(x, y) = uint16_t(disparity);
-      coarse.valid_at(x, y) = 1;
-   };
+   const auto set = setter(coarse);
    set(2, 2, 5), set(1, 2, 3), set(3, 2, 7), set(2, 1, 3), set(2, 3, 7);
    const auto counts = [&](const NeighbourAgreement& agreement) {
       return block_ranges(coarse, agreement).at(1, 1).has_value();

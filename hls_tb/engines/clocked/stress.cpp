@@ -65,7 +65,7 @@ class Stress {
    StimulusWriter make_last(std::size_t clocks, const std::vector<DeepPair>& own) {
       starts_behind_the_flush();
       for (const DeepPair& images : own) {
-         writer_.rows(images, {0, images.left.height});
+         send(images);
          writer_.gap(schedule());
       }
       last_frames(clocks);
@@ -91,10 +91,8 @@ class Stress {
       return stress_pair(kind, {size_.width_px, rows.end, core_.first_disparity, core_.disparities, core_.pixel_bits},
                          random_);
    }
-   void frame(StressClass kind) {
-      const DeepPair images = pair(kind);
-      writer_.rows(images, {0, images.left.height});
-   }
+   void send(const DeepPair& images) { writer_.rows(images, {0, images.left.height}); }
+   void frame(StressClass kind) { send(pair(kind)); }
    /// The first records of one, most often up to its last rows, at times whole rows.
    void part_of_a_frame(StressClass kind) {
       const int all = frame_records(), width = size_.width_px;
