@@ -73,6 +73,8 @@ FAR_OFF = r"forward_{}_\d+ <= 128;"
 FAR = r"(forward_far_\d+_any) := .*;"
 FIRST_DOWNWARD = Change({r"(\w*order_falls) <= false;": r"\2 <= true;"}, True)
 ANY_PLACE = Change({r"(\w*turn_write_place) <= 0;": r"\2 <= 11;"}, True)
+LAST_BELOW = r"(slice0winner1_best_below_0_2) <= slice0window_sum_0_{};"
+NEXT_FRAME = r"(raster_place_next_frame_choice_2) := .*;"
 BEGUN = Change(
     {"slice0window_centre_map_column_0 <= false;": "slice0window_centre_map_column_0 <= true;"},
     True,
@@ -90,6 +92,21 @@ SAME = {
         "a record in the clock of a reset": Change(
             {r"raster_features_valid <= false;": "raster_features_valid <= true;"},
         ),
+    },
+    "tiny_phase": {
+        "a record in the clock of a reset": valid_at_reset(r"transform_filtering_\d|raster_features"),
+        "a column in the clock of a reset": valid_at_reset(r"delay_tag|rows_\w*tag|slice0(?:shift|cost\w*|window)_tag"),
+        "the first place": Change({r"(transform_write_column) <= 0;": r"\2 <= 11;"}, True),
+        "a constant of all rows": Change(
+            {
+                r"(transform_\w+_column_outer) <= \((\d+) - (.*)": r"\2 <= (\3 + 1 - \4",
+                r"(transform_\w+_column_upper) <= (\(?)(\d+) - (.*)": r"\2 <= \3\4 + 9 - \5",
+            }
+        ),
+        "rows beside the image": Change({INSIDE.format("[0134]"): r"\2 <= true;"}),
+        "a start while a next frame waits": Change({NEXT_FRAME: r"\2 := transform_filtering_7_valid;"}),
+        "the neighbour of the last disparity": Change({LAST_BELOW.format(4): r"\2 <= 0;"}),
+        "the neighbour of the first disparity": Change({r"(slice1winner1_best_below_0_0) <= 0;": r"\2 <= 475;"}),
     },
     "tiny_sgm": {
         "a column in the clock of a reset": valid_at_reset("entry_next_tag|slice0window_tag"),
@@ -137,8 +154,9 @@ def test_rows_outside_may_not_where_a_check_compares_costs(tmp_path):
     assert shows("tiny_unique", [outside(255, 0)], tmp_path / "checked")
 
 
-def test_a_record_in_the_clock_of_a_reset_changes_nothing(noticed):
-    assert "a record in the clock of a reset" not in noticed("tiny")
+@pytest.mark.parametrize("config", ["tiny", "tiny_phase"])
+def test_a_record_in_the_clock_of_a_reset_changes_nothing(noticed, config):
+    assert "a record in the clock of a reset" not in noticed(config)
 
 
 def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):
@@ -147,7 +165,7 @@ def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):
     assert shows("tiny", [change], tmp_path / "one")
 
 
-@pytest.mark.parametrize("config", ["tiny_sgm", "tiny_trellis"])
+@pytest.mark.parametrize("config", ["tiny_phase", "tiny_sgm", "tiny_trellis"])
 def test_a_column_in_the_clock_of_a_reset_changes_nothing(noticed, config):
     assert "a column in the clock of a reset" not in noticed(config)
 
@@ -179,7 +197,7 @@ def test_the_first_row_may_be_turned_downward(noticed, config):
     assert "the first row downward" not in noticed(config)
 
 
-@pytest.mark.parametrize("config", ["tiny_sgm", "tiny_trellis"])
+@pytest.mark.parametrize("config", ["tiny_phase", "tiny_sgm", "tiny_trellis"])
 def test_the_first_place_that_is_written_may_be_any(noticed, config):
     assert "the first place" not in noticed(config)
 
@@ -206,3 +224,28 @@ def test_the_column_before_a_row_may_fall_anyhow(noticed):
 
 def test_other_columns_may_not_fall_anyhow(tmp_path):
     assert shows("tiny_trellis", [Change({FAR: r"\2 := false;"})], tmp_path / "one")
+
+
+def test_a_constant_of_all_rows_falls_out(noticed):
+    assert "a constant of all rows" not in noticed("tiny_phase")
+
+
+def test_rows_beside_the_image_have_no_code(noticed):
+    assert "rows beside the image" not in noticed("tiny_phase")
+
+
+def test_no_start_of_frame_comes_while_a_next_frame_waits(noticed):
+    assert "a start while a next frame waits" not in noticed("tiny_phase")
+
+
+def test_the_first_and_the_last_disparity_may_have_any_neighbour(noticed):
+    assert not {name for name in noticed("tiny_phase") if "neighbour" in name}
+
+
+def test_other_values_of_the_transform_show(tmp_path):
+    """A constant in one of the columns of such a sum, a row of the image as one outside, another neighbour."""
+    column = {r"(transform_left_code_row_outer_2) <= (.*);": r"\2 <= (\3) + 9;"}
+    row = {INSIDE.format(1): r"\2 <= false;"}
+    neighbour = {r"(slice0winner1_best_below_0_1) <= slice0window_sum_0_2;": r"\2 <= 0;"}
+    for number, lines in enumerate((column, row, neighbour)):
+        assert shows("tiny_phase", [Change(lines)], tmp_path / str(number)), lines

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <vector>
 
 #include "scene/stress_pairs.hpp"
@@ -16,11 +17,16 @@ constexpr int kRowsBeyondFirst = 2;   // groups of rows of a long frame beyond t
 constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;                             // so that each event comes
-constexpr int kFlushClocks = 5000, kBehindFlushClocks = 10000;  // for starts within the flush, and behind it
+constexpr int kFlushClocks = 8000, kBehindFlushClocks = 16000;  // for starts within the flush, and behind it
 constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
 constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
+
+void shuffle(auto& things, Random& random) {
+   for (std::size_t i = things.size() - 1; i > 0; --i)
+      std::swap(things[i], things[std::size_t(random.below(int(i) + 1))]);
+}
 
 /// Gives each of some things once before any comes again, in another order each time.
 template <class Thing, std::size_t Count>
@@ -31,8 +37,7 @@ class Deck {
    Thing next() {
       if (next_ == Count) {
          next_ = 0;
-         for (std::size_t i = Count - 1; i > 0; --i)
-            std::swap(things_[i], things_[std::size_t(random_.below(int(i) + 1))]);
+         shuffle(things_, random_);
       }
       return things_[next_++];
    }
@@ -169,10 +174,12 @@ class Stress {
 
    /// From 1; some of them, at random, where all would take more than `clocks`. groups: of what is sent for each.
    std::vector<int> rows_of_the_flush(int groups, int clocks) {
-      const int count = (core_.schedule.flush_groups + size_.width_px - 1) / size_.width_px;
-      const int most = std::max(1, clocks / (groups * core_.schedule.clocks_per_group));
-      std::vector<int> rows(std::size_t(std::min(count, most)));
-      for (int& row : rows) row = count <= most ? int(&row - rows.data()) + 1 : 1 + random_.below(count);
+      std::vector<int> rows(std::size_t((core_.schedule.flush_groups + size_.width_px - 1) / size_.width_px));
+      std::iota(rows.begin(), rows.end(), 1);
+      const std::size_t most = std::size_t(std::max(1, clocks / (groups * core_.schedule.clocks_per_group)));
+      if (rows.size() <= most) return rows;
+      shuffle(rows, random_);
+      rows.resize(most);
       return rows;
    }
 

@@ -182,7 +182,7 @@ TEST(Stress, AFrameStartsInEachRowOfTheFlush) {
 }
 
 TEST(Stress, AFrameStartsBehindEachRowOfTheFlush) {
-   for (const char* const name : {"tiny", "tiny_sgm", "tiny_trellis"}) {
+   for (const char* const name : {"tiny", "tiny_sgm", "tiny_trellis", "tiny_phase"}) {
       const CoreModule& core = core_module(name);
       const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
       const int width = core.shape.image.width_px, frame = width * core.shape.image.row_groups();
