@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 
 namespace stereo {
 
@@ -29,5 +31,11 @@ class Random {
   private:
    uint64_t state_;
 };
+
+/// Another order of them.
+void shuffle(auto& things, Random& random) {
+   for (std::size_t i = things.size() - 1; i > 0; --i)
+      std::swap(things[i], things[std::size_t(random.below(int(i) + 1))]);
+}
 
 }  // namespace stereo

@@ -31,6 +31,7 @@ class Painter {
    int slopes();
    void rough();
    void tiles();
+   void contrary();
    void enlarged();
    void ramp();
    void patchwork();
@@ -217,6 +218,30 @@ void Painter::tiles() {
       }
 }
 
+void Painter::contrary() {
+   const int wide = 7 + random_.below(8), high = 6 + random_.below(2), before = random_.below(wide);
+   const int columns = (before + shape_.width + wide - 1) / wide, rows = (shape_.height + high - 1) / high;
+   const bool goes_down = random_.percent(50);
+   std::vector<int> all(std::size_t(shape_.disparities));
+   std::iota(all.begin(), all.end(), shape_.first_disparity);
+   shuffle(all, random_);
+   noise(top_ + 1, 1);
+   int here = any_disparity();
+   for (int i = 0; i < columns * rows; ++i) {
+      const int column = goes_down ? i / rows : i % columns, row = goes_down ? i % rows : i / columns;
+      const int first = std::max(column * wide - before, 0), end = std::min((column + 1) * wide - before, shape_.width);
+      const int other = all[std::size_t(i) % all.size()], period = std::max(1, std::abs(here - other));
+      for (int y = row * high; y < std::min((row + 1) * high, shape_.height); ++y) {
+         // What lies a period apart is inverted, so the other disparity has the largest costs.
+         for (int x = first + period; x < std::min(end + period, shape_.width); ++x)
+            pair.right.at(x, y) = uint16_t(top_ - pair.right.at(x - period, y));
+         match(y, first, end, here, [](uint16_t v) { return v; });
+      }
+      // In the next tile the costs turn round, for half of them.
+      here = random_.percent(50) ? other : any_disparity();
+   }
+}
+
 void Painter::enlarged() {
    constexpr int kScale = 4;
    constexpr std::array kKinds{StressClass::steps, StressClass::edges, StressClass::stairs, StressClass::tiles};
@@ -309,6 +334,9 @@ DeepPair stress_pair(StressClass kind, const StressShape& shape, Random& random)
          break;
       case StressClass::tiles:
          painter.tiles();
+         break;
+      case StressClass::contrary:
+         painter.contrary();
          break;
       case StressClass::enlarged:
          painter.enlarged();

@@ -27,6 +27,7 @@ enum class StressClass {
    patchwork,   ///< rectangles of the other classes
    rough,       ///< slopes with noise: the largest costs of a census, no two disparities alike
    tiles,       ///< each matched at a disparity of its own: paths from the left, the right and above that want others
+   contrary,    ///< tiles in which another disparity has the largest costs: paths that lie as far apart as they can
    enlarged,    ///< another class, four times as large: what a search in coarse images sees
 };
 
@@ -38,7 +39,8 @@ inline constexpr std::array kStressClasses{
 };
 
 /// Of the last stream only.
-inline constexpr std::array kLastStressClasses{StressClass::rough, StressClass::tiles, StressClass::enlarged};
+inline constexpr std::array kLastStressClasses{StressClass::rough, StressClass::tiles, StressClass::contrary,
+                                               StressClass::enlarged};
 
 inline constexpr std::array kAllStressClasses = [] {
    std::array<StressClass, kStressClasses.size() + kLastStressClasses.size()> all{};

@@ -123,10 +123,9 @@ void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t se
    Random random(seed ^ 0x5e77);
    bool first = true;
    const auto next = [&] {
-      std::vector<uint32_t> values = random_settings(ports, random);
+      std::vector<uint32_t> values = random_settings(ports, random, limits);
       if (first)
          for (int i = 0; i < ports.count; ++i) values[std::size_t(i)] = uint32_t(ports.setting[i].start);
-      else if (limits == Limits::exceeded) go_beyond_limits(values, ports, random);
       first = false;
       return values;
    };

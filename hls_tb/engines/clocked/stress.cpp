@@ -20,13 +20,8 @@ constexpr int kLeastWildFrames = 6;                             // so that each 
 constexpr int kFlushClocks = 8000, kBehindFlushClocks = 16000;  // for starts within the flush, and behind it
 constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
-constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one
+constexpr int kLastShare = 2;              // of the clocks of all other streams, for the last one
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
-
-void shuffle(auto& things, Random& random) {
-   for (std::size_t i = things.size() - 1; i > 0; --i)
-      std::swap(things[i], things[std::size_t(random.below(int(i) + 1))]);
-}
 
 /// Gives each of some things once before any comes again, in another order each time.
 template <class Thing, std::size_t Count>
@@ -212,7 +207,7 @@ class Stress {
    void last_frames(std::size_t end) {
       using enum StressClass;
       do {
-         for (const StressClass kind : {rough, tiles, enlarged, tiles, tiles}) {
+         for (const StressClass kind : {contrary, tiles, contrary, rough, contrary, enlarged, contrary}) {
             frame(kind);
             writer_.gap(schedule());
             if (!is_short() && kind == enlarged) break;

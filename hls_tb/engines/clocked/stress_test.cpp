@@ -133,7 +133,7 @@ TEST(Stress, SettingsAndSizesChangeWithTheFrames) {
 }
 
 TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
-   for (const char* const name : {"tiny_sgm_settings", "tiny_trellis_settings"}) {
+   for (const char* const name : {"tiny_sgm_settings", "tiny_trellis_settings", "tiny_dense_size"}) {
       const CoreModule& core = core_module(name);
       const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
       std::vector<std::size_t> starts;
@@ -146,7 +146,7 @@ TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
          for (int i = 0; i < made.ports.count; ++i) {
             const Setting& port = made.ports.setting[i];
             uint32_t& value = limited.settings[change].values[std::size_t(i)];
-            if (!counts_as_the_limit(port)) continue;
+            if (!port.clamped) continue;
             const uint32_t limit = uint32_t(std::clamp(int(value), port.least, port.largest));
             beyond += value != limit;
             value = limit;
