@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/phase_correlation/stress_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "definition/phase_correlation/reference_model.hpp"
+#include "testing/seed.hpp"
+
+namespace stereo::test {
+namespace {
+
+using namespace phase_correlation;
+using Responses = std::array<int, 6>;
+
+/// The largest that each filter of a scale can give.
+Responses largest(int scale, int top) {
+   const int side = reach_before(scale) + 1 + reach_after(scale);
+   DeepImage impulse(side, side);
+   Responses sums{};
+   for (uint16_t& pixel : impulse.pixels) {
+      pixel = 1;
+      const Responses weights = responses(impulse, reach_before(scale), reach_before(scale), scale);
+      for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += std::max(weights[i], 0) * top;
+      pixel = 0;
+   }
+   return sums;
+}
+
+TEST(PhaseStressPairs, EachFilterIsAtBothItsEndsInBothImages) {
+   for (const auto& [scales, bits, width, height] :
+        {std::array{2, 8, 40, 18}, std::array{3, 8, 40, 26}, std::array{1, 10, 23, 9}}) {
+      Matching matching{DisparityCount{6}};
+      matching.phase_scales = scales;
+      matching.pixel_bits = bits;
+      Random random(test_seed());
+      const std::vector<DeepPair> pairs = own_stress_pairs(matching, width, height, random);
+      for (int scale = 0; scale < scales; ++scale) {
+         const Responses most = largest(scale, (1 << bits) - 1);
+         for (const auto image : {&DeepPair::left, &DeepPair::right}) {
+            Responses high{}, low{};
+            for (const DeepPair& pair : pairs)
+               for (int y = reach_before(scale); y + reach_after(scale) < height; ++y)
+                  for (int x = reach_before(scale); x + reach_after(scale) < width; ++x) {
+                     const Responses here = responses(pair.*image, x, y, scale);
+                     for (std::size_t i = 0; i < here.size(); ++i) {
+                        high[i] = std::max(high[i], here[i]);
+                        low[i] = std::min(low[i], here[i]);
+                     }
+                  }
+            for (std::size_t i = 0; i < high.size(); ++i) {
+               EXPECT_EQ(high[i], most[i]) << "scale " << scale << ", response " << i;
+               EXPECT_EQ(low[i], -most[i]) << "scale " << scale << ", response " << i;
+            }
+         }
+      }
+   }
+}
+
+TEST(PhaseStressPairs, AreNoneWhereNoFilterFits) {
+   Random random(1);
+   EXPECT_TRUE(own_stress_pairs(Matching{DisparityCount{6}}, 4, 40, random).empty());
+}
+
+}  // namespace
+}  // namespace stereo::test
