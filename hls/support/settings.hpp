@@ -38,14 +38,13 @@ inline constexpr bool kHasSettingPorts = [] {
 
 /// One setting of a core, as those around it must know it.
 struct Setting {
-   const char* name;      ///< of the option and of the port
-   int bits;              ///< of the port
-   int largest;           ///< it is least ... largest; 0: the core has nothing that it sets
-   int start;             ///< the option in the configuration
-   int least = 0;         ///< the smallest value
-   int step = 1;          ///< it is a multiple of it: 1, 2 or 4
-   bool held = false;     ///< it may change only while the core is reset; else it counts with each start of frame
-   bool clamped = false;  ///< the core takes values beyond the limits as the nearest limit; else none may come
+   const char* name;   ///< of the option and of the port
+   int bits;           ///< of the port
+   int largest;        ///< it is least ... largest; 0: the core has nothing that it sets
+   int start;          ///< the option in the configuration
+   int least = 0;      ///< the smallest value
+   int step = 1;       ///< it is a multiple of it: 1, 2 or 4
+   bool held = false;  ///< it may change only while the core is reset; else it counts with each start of frame
 };
 
 /// All of a core, in the order of their ports.
@@ -54,8 +53,8 @@ struct SettingList {
    Setting setting[kMost] = {};
    int count = 0;
 
-   constexpr void operator()(const char* name, int bits, bool exists, int largest, int start, int least, bool clamped) {
-      if (exists) setting[count++] = {name, bits, largest, start, least, 1, false, clamped};
+   constexpr void operator()(const char* name, int bits, bool exists, int largest, int start, int least) {
+      if (exists) setting[count++] = {name, bits, largest, start, least};
       else setting[count++] = {name, bits, 0, 0};
    }
    constexpr void held(const char* name, int bits, int largest, int least, int step) {
@@ -100,9 +99,8 @@ struct Clamped {
    if constexpr (exists) visit(#name, name, start);
 #define STEREO_SETTING_TAKE(type, name, taking, exists, least, largest, start) \
    if constexpr (exists) name = select<type>(starts, type(taking::template taken<least, largest>(now.name)), name);
-#define STEREO_SETTING_LIMITS(type, name, taking, exists, least, largest, start)         \
-   list(#name, 8 * sizeof(type), (exists) && C.run_time_settings, largest, start, least, \
-        std::is_same_v<taking, Clamped>);
+#define STEREO_SETTING_LIMITS(type, name, taking, exists, least, largest, start) \
+   list(#name, 8 * sizeof(type), (exists) && C.run_time_settings, largest, start, least);
 
 /// The settings of the namespace's `Config` from their rows. Settings: what the ports bring. FrameSettings: those of
 /// the frame that comes in; what needs them takes them over when the frame's first column or disparity reaches it, and

@@ -20,7 +20,7 @@ constexpr int kLeastWildFrames = 6;                             // so that each 
 constexpr int kFlushClocks = 8000, kBehindFlushClocks = 16000;  // for starts within the flush, and behind it
 constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
-constexpr int kLastShare = 2;              // of the clocks of all other streams, for the last one
+constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.

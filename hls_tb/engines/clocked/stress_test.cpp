@@ -146,7 +146,7 @@ TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
          for (int i = 0; i < made.ports.count; ++i) {
             const Setting& port = made.ports.setting[i];
             uint32_t& value = limited.settings[change].values[std::size_t(i)];
-            if (!port.clamped) continue;
+            if (!counts_as_the_limit(port)) continue;
             const uint32_t limit = uint32_t(std::clamp(int(value), port.least, port.largest));
             beyond += value != limit;
             value = limit;
