@@ -127,6 +127,7 @@ stereo_add_unit_tests(
   definition/dynamic_range/search_windows_test.cpp
   definition/dynamic_range/stress_pairs_test.cpp
   definition/phase_correlation/reference_model_test.cpp
+  definition/phase_correlation/stress_pairs_test.cpp
   definition/rectification/reference_model_test.cpp
   definition/postprocessing_test.cpp
   definition/semi_global/reference_model_test.cpp
