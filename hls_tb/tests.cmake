@@ -99,12 +99,14 @@ stereo_add_unit_tests(
 stereo_add_unit_tests(LINK stereo_small_cores FILES cores/block_matching/core_stream_test.cpp
                       cores/block_matching/core_test.cpp)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/named_cores_test.cpp
+                      engines/clocked/register_trace_test.cpp
                       engines/clocked/stimulus_test.cpp engines/clocked/stress_test.cpp engines/rectification/stage_stimulus_test.cpp)
 add_dependencies(cores_named_cores_test tested_cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_core_check FILES cores/named_streams_test.cpp)
 add_dependencies(cores_named_streams_test tested_cores)
 stereo_add_unit_tests(LINK stereo_testing stereo_configurations FILES cores/settings_test.cpp)
 add_dependencies(cores_settings_test tested_cores)
+add_dependencies(engines_clocked_register_trace_test tested_cores)
 add_dependencies(engines_clocked_stimulus_test tested_cores)
 add_dependencies(engines_clocked_stress_test tested_cores)
 # The slow set takes all cores.

@@ -12,6 +12,7 @@ from cocotb.triggers import ClockCycles, FallingEdge
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
 
 from flow.shell import contract, pool, registers
+from flow.shell.broken import beats_of
 
 PERIOD_NS = 10
 QUIET_CLOCKS = 300  # nothing moved for so long: all that could come has come
@@ -147,6 +148,14 @@ class Bench:
         self.dut.aresetn.value = 1
         await ClockCycles(self.dut.aclk, 2)
         return self
+
+    def a_frame(self):
+        """The beats of a random frame of the pool."""
+        return beats_of(self.random.choice(self.pool), self.geometry)
+
+    def other_half(self, half):
+        """The channel that waits when only the addresses or only the data of writes come."""
+        return {"addresses": self.axil.write_if.w_channel, "data": self.axil.write_if.aw_channel}[half]
 
     def rates(self, source_percent, sink_percent):
         """Chance in percent that a side pauses in a clock."""

@@ -65,3 +65,19 @@ async def what_does_not_fit_is_refused(dut):
                 assert await bench.read(setting.name) == setting.start + (setting.largest << 16)
                 await bench.write("status", 1 << bench.map["status"]["fields"]["setting_refused"]["low"])
                 assert await bench.field("status", "setting_refused") == 0
+
+
+@cocotb.test()
+async def only_a_whole_value_counts(dut):
+    """A write of one of the two bytes of a value, or of none, changes nothing and is no error."""
+    bench = await Bench(dut, "strobes of settings").start()
+    for setting in rtl.settings_of(bench.parameters):
+        place, before = bench.map[setting.name]["offset"], await bench.read(setting.name)
+        for wanted in (setting.least, setting.largest, 0xFFFF):
+            low, high = wanted.to_bytes(2, "little")
+            await bench.axil.write(place, bytes([low]))
+            await bench.axil.write(place + 1, bytes([high, 0xFF, 0xFF]))
+            await bench.axil.write(place + 2, b"\xff\xff")
+            assert (await bench.read(setting.name), await bench.read("status")) == (before, 0), setting.name
+        await bench.axil.write(place, setting.least.to_bytes(2, "little"))
+        assert await bench.read(setting.name) == setting.least + (setting.largest << 16)

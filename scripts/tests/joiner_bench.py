@@ -141,14 +141,15 @@ class Joiner:
         ghdl.analyse([BENCH], work)
         ghdl.elaborate(work, "tb_stereo_joiner")
 
-    def play(self, records, rng, sink_percent=100, depth=DEPTH, reset_at=None):
+    def play(self, records, rng, sink_percent=100, depth=DEPTH, reset_at=None, waits=()):
+        """`sink_percent`: of the clocks in which the sink is ready, but for the clocks `waits`."""
         left, right = records
         clocks = max(len(left), len(right)) + 200
         inputs = [(1 << 7, 0, 0)]
         for clock in range(clocks):
             left_flags, left_word = word_of(left[clock] if clock < len(left) else None, rng, 0)
             right_flags, right_word = word_of(right[clock] if clock < len(right) else None, rng, 1)
-            ready = clock >= clocks - 100 or rng.random() * 100 < sink_percent
+            ready = clock >= clocks - 100 or rng.random() * 100 < sink_percent and clock not in waits
             flags = left_flags | right_flags << 3 | ready << 6 | (clock == reset_at) << 7
             inputs.append((flags, left_word, right_word))
         whole = None

@@ -97,8 +97,8 @@ FAULTS = {
 }
 
 
-def altered_shell(folder, file, pattern, replacement):
-    """A copy of the hand-written VHDL with the first place that matches changed."""
+def altered_shell(folder, file, pattern, replacement, config="tiny"):
+    """The core, and a copy of the hand-written VHDL with the first place that matches changed."""
     folder.mkdir()
     for path in design.shell_files():
         text = path.read_text()
@@ -106,7 +106,7 @@ def altered_shell(folder, file, pattern, replacement):
             text, count = re.subn(pattern, replacement, text, count=1)
             assert count == 1, f"{file}.vhd has no '{pattern}'"
         (folder / path.name).write_text(text)
-    return [*manifest.core_files("tiny"), *design.shell_files(folder)]
+    return [*manifest.core_files(config), *design.shell_files(folder)]
 
 
 @pytest.mark.parametrize("fault", with_slow(FAULTS, ["two credits less"]))
@@ -228,16 +228,42 @@ def test_each_frame_has_its_settings(ghdl, verilator, settings_frames, rng, tmp_
         assert verdict.problems == [] and verdict.exact_frames == len(frames)
 
 
-def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path):
-    """A beat that is written over never gives its credit back: in the end the shell takes nothing."""
-    file, pattern, replacement, _ = FAULTS["a beat changes while it waits"]
-    simulation = cocotb_runs.Ghdl(
-        "tiny", tmp_path / "work", altered_shell(tmp_path / "rtl", file, pattern, replacement)
-    )
+# {fault: (configuration, (file, pattern, replacement), module, {test: whether it passes}, what the log says)}
+COCOTB_FAULTS = {
+    # It never gives its credit back: in the end the shell takes nothing.
+    "a beat is written over": (
+        "tiny",
+        FAULTS["a beat changes while it waits"][:3],
+        "test_stereo_ip",
+        {"full_speed": True, "stalls_0_50": False},
+        "a beat was not taken for ever",
+    ),
+    "a soft reset keeps the errors": (
+        "tiny",
+        ("stereo_registers", r"(resetting <= '0';)\n *sticky <= \(others => '0'\);", r"\1"),
+        "test_resets",
+        {"soft_reset_keeps_enable": True, "soft_reset_clears_errors_and_events": False},
+        "assert",
+    ),
+    "a byte of a setting counts": (
+        "tiny_size_all",
+        ("stereo_registers", r'write_bytes\(1 downto 0\) = "11"', "write_bytes(0) = '1'"),
+        "test_settings",
+        {"what_does_not_fit_is_refused": True, "only_a_whole_value_counts": False},
+        "assert",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", with_slow(COCOTB_FAULTS, ["a beat is written over"]))
+def test_fault_is_found_under_cocotb(ghdl, cocotb, tmp_path, fault):
+    config, change, module, tests, said = COCOTB_FAULTS[fault]
+    files = altered_shell(tmp_path / "rtl", *change, config)
+    simulation = cocotb_runs.Ghdl(config, tmp_path / "work", files)
     simulation.build()
-    results = simulation.run("test_stereo_ip", 1, tmp_path / "out", ["full_speed", "stalls_0_50"])
-    assert [(result.name, result.passed) for result in results] == [("full_speed", True), ("stalls_0_50", False)]
-    assert "a beat was not taken for ever" in (tmp_path / "out" / "test_stereo_ip.log").read_text()
+    results = simulation.run(module, 1, tmp_path / "out", list(tests))
+    assert {result.name: result.passed for result in results} == tests
+    assert said in (tmp_path / "out" / f"{module}.log").read_text()
 
 
 @pytest.mark.slow

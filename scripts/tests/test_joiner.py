@@ -126,6 +126,41 @@ def test_a_reset_forgets_a_broken_frame(joiner):
     assert not joiner.play(records, random.Random(7), sink_percent=0, reset_at=behind).pairs
 
 
+def wrong_skew(joiner):
+    """None, or a frame whose pairs do not show its own skew. The right camera is two lines behind the left one in each
+    second frame. At each end of frame the sink waits until the next start has come, earlier or later, so that it keeps
+    the last pairs."""
+    blank, more = 80, 2 * LINE
+    _, records = streams(random.Random(12), 0, 0, frame_blank=blank)
+    starts = [next(i for i, one in enumerate(records[1]) if one and one[0] == frame) for frame in range(FRAMES)]
+    waits = set()
+    for frame, start in enumerate(starts):
+        end = start + (HEIGHT - 1) * LINE + WIDTH
+        if frame % 2:
+            records[1][start : end + more] = [None] * more + records[1][start:end]
+            end += more
+        waits |= set(
+            range(end - 4 + frame // 2 % 12, starts[-1] if frame + 1 == FRAMES else starts[frame + 1] + more + 16)
+        )
+    seen = joiner.play(records, random.Random(13), waits=waits)
+    assert len(seen.pairs) == FRAMES * WIDTH * HEIGHT and not seen.faults
+    for frame in range(FRAMES):
+        # The first pair may leave before its skew is known, the last two behind the next start.
+        pairs = [pair for pair in seen.pairs if frame_of(pair[0]) == frame][1:-2]
+        if {skew for _, _, _, skew in pairs} != {2 * (frame % 2)}:
+            return frame
+    return None
+
+
+def test_a_frame_that_waits_does_not_show_its_skew(joiner):
+    assert wrong_skew(joiner) is None
+
+
+def test_a_skew_that_is_shown_too_soon_is_found(ghdl, tmp_path):
+    early = ("stereo_joiner", "began <= joins and room and starts;", "began <= joins and starts;")
+    assert wrong_skew(Joiner(tmp_path, 8, early)) is not None
+
+
 def bits_of(seen):
     return {int(bits, 2) for bits in seen.faults}
 

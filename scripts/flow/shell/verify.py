@@ -100,6 +100,7 @@ def selections(is_short: bool) -> tuple[Selection, ...]:
         return (
             Selection("tiny", "test_stereo_ip", _SHORT_STREAMS),
             Selection("tiny", "test_registers"),
+            Selection("tiny", "test_resets"),
             Selection("tiny_p4", "test_stereo_ip", _LANES),
             other.longer_flush,
             other.short_latency,
@@ -109,10 +110,13 @@ def selections(is_short: bool) -> tuple[Selection, ...]:
     return (
         Selection("tiny", "test_stereo_ip"),
         Selection("tiny", "test_registers"),
+        Selection("tiny", "test_resets"),
         Selection("tiny_p2", "test_stereo_ip", _LANES),
         Selection("tiny_p2", "test_registers"),
+        Selection("tiny_p2", "test_resets"),
         Selection("tiny_p4", "test_stereo_ip", _LANES),
         Selection("tiny_p4", "test_registers"),
+        Selection("tiny_p4", "test_resets"),
         Selection("tiny_all_recursive", "test_stereo_ip", (*GAPS, "reset_at_any_clock")),
         *other,
         SETTINGS,
