@@ -40,6 +40,7 @@ STEREO_ROW(sgm_640_64_f8_lr, system, sgm_640_64_f8_road, left_right_threshold = 
 // For FPGAs with fewer or smaller block RAMs (docs/performance.md has them by device).
 STEREO_ROW(sgm_512_64_f16, system, sgm_640_64_f8_road, width_px = 512, height_px = 384, clocks_per_pixel = 16);
 STEREO_ROW(sgm_320_64_f16, system, sgm_512_64_f16, width_px = 320, height_px = 240, full_width = false);
+STEREO_ROW(sgm_320_32_f16, system, sgm_320_64_f16, disparities = 32);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);

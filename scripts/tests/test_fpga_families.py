@@ -273,6 +273,7 @@ def test_semi_global_matching_is_routed_where_nextpnr_ends():
     """30 frames a second or more; where it does not fit, the record says what is too small."""
     for name in ("gw2ar_18", "lifcl_40"):
         assert Configuration("sgm_320_64_f16").clock(name)["frames_per_second"] >= 30
+    assert Configuration("sgm_320_32_f16").clock("gw1nr_9")["frames_per_second"] >= 30
     assert all("does_not_fit" in kept("sgm_320_64_f16", name) for name in ("up5k", "hx8k"))
     assert Configuration("sgm_512_64_f16").clock("gw2ar_18")["frames_per_second"] >= 30
     assert "does_not_fit" in kept("sgm_640_64_f8_road", "gw2ar_18"), "the page says so"
