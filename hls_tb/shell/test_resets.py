@@ -73,7 +73,7 @@ async def soft_reset_clears_errors_and_events(dut):
     await bench.write("control", 3)
     while await bench.read("control") != 1:
         pass
-    assert (await bench.read("status"), await bench.read("frames"), int(dut.irq.value)) == (0, 0, 0)
+    assert (await bench.read("status"), await bench.read("frames"), int(dut.irq.value)) == (0, 0, 0), "left behind"
     assert await bench.read("interrupt") == enables
 
 

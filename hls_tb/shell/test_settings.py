@@ -78,6 +78,8 @@ async def only_a_whole_value_counts(dut):
             await bench.axil.write(place, bytes([low]))
             await bench.axil.write(place + 1, bytes([high, 0xFF, 0xFF]))
             await bench.axil.write(place + 2, b"\xff\xff")
-            assert (await bench.read(setting.name), await bench.read("status")) == (before, 0), setting.name
+            assert (await bench.read(setting.name), await bench.read("status")) == (before, 0), (
+                f"part of {setting.name}"
+            )
         await bench.axil.write(place, setting.least.to_bytes(2, "little"))
         assert await bench.read(setting.name) == setting.least + (setting.largest << 16)

@@ -13,6 +13,7 @@ from conftest import where_reachable
 from cover import with_slow
 from flow.base import rtl
 from flow.base.configurations import configuration
+from flow.mutation import judges
 from flow.shell import cocotb_runs, design, judge, pool, script, template, verify, verilated
 from flow.shell.broken import beats_of
 from flow.synthesis import manifest
@@ -62,6 +63,13 @@ def test_cocotb_can_mean_no_other_module():
     """Where cocotb finds pytest, scripts/tests comes first on the path of Python (pyproject.toml)."""
     benches = {path.name for path in cocotb_runs.TESTS.glob("*.py")}
     assert benches and not benches & {path.name for path in Path(__file__).parent.glob("*.py")}
+
+
+def test_each_module_is_in_each_run():
+    modules = {path.stem for path in cocotb_runs.TESTS.glob("test_*.py")}
+    short, long = judges.shell_stages("tiny")
+    for selections in (verify.selections(is_short=True), verify.selections(is_short=False), [*short, *long]):
+        assert {selection.module for selection in selections} == modules
 
 
 @pytest.mark.slow
@@ -243,14 +251,14 @@ COCOTB_FAULTS = {
         ("stereo_registers", r"(resetting <= '0';)\n *sticky <= \(others => '0'\);", r"\1"),
         "test_resets",
         {"soft_reset_keeps_enable": True, "soft_reset_clears_errors_and_events": False},
-        "assert",
+        "left behind",
     ),
     "a byte of a setting counts": (
         "tiny_size_all",
         ("stereo_registers", r'write_bytes\(1 downto 0\) = "11"', "write_bytes(0) = '1'"),
         "test_settings",
         {"what_does_not_fit_is_refused": True, "only_a_whole_value_counts": False},
-        "assert",
+        "part of ",
     ),
 }
 

@@ -139,9 +139,8 @@ def wrong_skew(joiner):
         if frame % 2:
             records[1][start : end + more] = [None] * more + records[1][start:end]
             end += more
-        waits |= set(
-            range(end - 4 + frame // 2 % 12, starts[-1] if frame + 1 == FRAMES else starts[frame + 1] + more + 16)
-        )
+        if frame + 1 < FRAMES:
+            waits |= set(range(end - 4 + frame // 2 % 12, starts[frame + 1] + more + 16))
     seen = joiner.play(records, random.Random(13), waits=waits)
     assert len(seen.pairs) == FRAMES * WIDTH * HEIGHT and not seen.faults
     for frame in range(FRAMES):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """docs/options.md and docs/configurations.md have every option and every configuration as they are declared."""
 
+import re
+
 import pytest
 
 from flow.base import committed, files
@@ -44,6 +46,18 @@ def test_what_an_option_costs_is_what_two_configurations_differ_in():
     clocks = table["tiny_median"]["latency_clocks"] - table["tiny"]["latency_clocks"]
     bits = [after[name] - before[name] for name in ("memory_bits", "register_bits")]
     assert clocks > 0 and found == ("median", reference.Cost("tiny_median", "tiny", clocks, *bits))
+
+
+def test_an_example_stands_with_its_family():
+    """Where the limits or the defaults of an option are not the same in all families, it has several lines."""
+    examples = 0
+    for line in reference.OPTIONS.read_text().splitlines():
+        *_, families, example = line.strip("|").split("|") if line.startswith("|") else ("", "")
+        if shown := re.search(r"\(`(\w+)` beside `(\w+)`\)", example):
+            examples += 1
+            for name in shown.groups():
+                assert families.strip() == "all" or configuration(name)["family"] in families.strip().split(", ")
+    assert examples > 10
 
 
 def test_another_page_is_noticed(tmp_path, monkeypatch):

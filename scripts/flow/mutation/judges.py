@@ -26,6 +26,7 @@ def shell_stages(config: str) -> tuple[list[Selection], list[Selection]]:
     short = [
         Selection(config, "test_stereo_ip", ("full_speed", "stalls_30_30")),
         Selection(config, "test_registers"),
+        Selection(config, "test_resets"),
         Selection(config, "test_stereo_ip"),
     ]
     short_frames = Selection(CONFIG_OF_SHORT_FRAMES, "test_stereo_ip", ("stalls_0_10", "mixture"))

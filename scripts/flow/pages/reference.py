@@ -68,12 +68,12 @@ def costs(
 def _options(rows: Mapping[str, Configuration], made: Mapping[str, manifest.Manifest]) -> str:
     families = options()
     found: dict[str, dict[str, list[str]]] = {}  # {option: {limits and default: families}}
-    cost: dict[str, Cost] = {}
+    examples: dict[str, tuple[str, Cost]] = {}  # {option: (family, what it costs there)}
     for family, of_family in families.items():
         for name, option in of_family.items():
             found.setdefault(name, {}).setdefault(_limits(option), []).append(family)
         for name, one in costs(family, rows, made):
-            cost.setdefault(name, one)
+            examples.setdefault(name, (family, one))
     meanings = {
         name: option.get("meaning", "") for of_family in families.values() for name, option in of_family.items()
     }
@@ -81,7 +81,7 @@ def _options(rows: Mapping[str, Configuration], made: Mapping[str, manifest.Mani
     for name in sorted(found, key=lambda name: (-sum(map(len, found[name].values())), name)):
         for place, (limits, of) in enumerate(sorted(found[name].items(), key=lambda item: -len(item[1]))):
             default, _, reach = limits.partition("\n")
-            first = place == 0
+            first, example = place == 0, examples.get(name)
             lines.append(
                 [
                     code(name) if first else "",
@@ -89,7 +89,7 @@ def _options(rows: Mapping[str, Configuration], made: Mapping[str, manifest.Mani
                     reach,
                     default,
                     "all" if len(of) == len(families) else ", ".join(sorted(of)),
-                    cost[name].text() if first and name in cost else "",
+                    example[1].text() if example and example[0] in of else "",
                 ]
             )
     return table(["option", "what it is", "values", "default", "families", "for example"], lines)
