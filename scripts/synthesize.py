@@ -15,7 +15,7 @@ from flow.base import committed, farm, files, rtl
 from flow.base.configurations import PLANNED, Configuration, configuration, designs
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
-from flow.base.tools import find_bambu
+from flow.base.tools import find_bambu, require_core
 from flow.shell import template
 from flow.synthesis import bambu, manifest
 from flow.synthesis.generate import generate
@@ -131,6 +131,8 @@ def main() -> int:
         return refresh(names, table)
     check_program(table)
     find_bambu()
+    for name in names:
+        require_core(name)
     if options.scheduler or (len(names) > 1 and options.jobs != 1):
         words = ["--out", str(options.out.resolve())] if options.out else []
         with farm.of(options, versions) as workers:

@@ -10,6 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.configurations import configuration
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.options import a_path
+from flow.base.tools import require_core
 from flow.shell import verify
 
 
@@ -54,6 +55,9 @@ def main() -> int:
         chunks = verify.chunks_of(frames[options.config[0]])
         if options.chunk not in chunks:
             raise FlowError(f"--chunk must be 0 ... {chunks[-1]}")
+    if options.simulator != "ghdl":
+        for name in frames:
+            require_core(name)
     run = verify.Verification(options.seed, options.out.resolve())
     if options.simulator != "ghdl":
         for name, count in frames.items():

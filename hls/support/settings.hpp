@@ -38,13 +38,14 @@ inline constexpr bool kHasSettingPorts = [] {
 
 /// One setting of a core, as those around it must know it.
 struct Setting {
-   const char* name;   ///< of the option and of the port
-   int bits;           ///< of the port
-   int largest;        ///< it is least ... largest; 0: the core has nothing that it sets
-   int start;          ///< the option in the configuration
-   int least = 0;      ///< the smallest value
-   int step = 1;       ///< it is a multiple of it: 1, 2 or 4
-   bool held = false;  ///< it may change only while the core is reset; else it counts with each start of frame
+   const char* name;      ///< of the option and of the port
+   int bits;              ///< of the port
+   int largest;           ///< it is least ... largest; 0: the core has nothing that it sets
+   int start;             ///< the option in the configuration
+   int least = 0;         ///< the smallest value
+   int step = 1;          ///< it is a multiple of it: 1, 2 or 4
+   bool held = false;     ///< it may change only while the core is reset; else it counts with each start of frame
+   bool clamped = false;  ///< the core takes a value beyond the limits as the nearest limit; else none must come
 };
 
 /// All of a core, in the order of their ports.
@@ -53,8 +54,8 @@ struct SettingList {
    Setting setting[kMost] = {};
    int count = 0;
 
-   constexpr void operator()(const char* name, int bits, bool exists, int largest, int start, int least) {
-      if (exists) setting[count++] = {name, bits, largest, start, least};
+   constexpr void operator()(const char* name, int bits, bool exists, int largest, int start, int least, bool clamped) {
+      if (exists) setting[count++] = {name, bits, largest, start, least, 1, false, clamped};
       else setting[count++] = {name, bits, 0, 0};
    }
    constexpr void held(const char* name, int bits, int largest, int least, int step) {
@@ -73,18 +74,21 @@ HLS_INLINE constexpr uint16_t limited(uint16_t value) {
 
 // What a setting does with a value that a port shows.
 struct AsShown {  ///< those around the core let none pass that is beyond the limits
+   static constexpr bool kClamps = false;
    template <int Least, int Largest>
    static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
       return value;
    }
 };
 struct Masked {  ///< the same, and the core needs just the bits of the largest
+   static constexpr bool kClamps = false;
    template <int Least, int Largest>
    static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
       return at_most<Largest>(value);
    }
 };
 struct Clamped {
+   static constexpr bool kClamps = true;
    template <int Least, int Largest>
    static HLS_INLINE constexpr uint16_t taken(uint16_t value) {
       return limited<Least, Largest>(value);
@@ -100,7 +104,7 @@ struct Clamped {
 #define STEREO_SETTING_TAKE(type, name, taking, exists, least, largest, start) \
    if constexpr (exists) name = select<type>(starts, type(taking::template taken<least, largest>(now.name)), name);
 #define STEREO_SETTING_LIMITS(type, name, taking, exists, least, largest, start) \
-   list(#name, 8 * sizeof(type), (exists) && C.run_time_settings, largest, start, least);
+   list(#name, 8 * sizeof(type), (exists) && C.run_time_settings, largest, start, least, taking::kClamps);
 
 /// The settings of the namespace's `Config` from their rows. Settings: what the ports bring. FrameSettings: those of
 /// the frame that comes in; what needs them takes them over when the frame's first column or disparity reaches it, and

@@ -32,6 +32,7 @@ class Painter {
    void rough();
    void tiles();
    void contrary();
+   void bands();
    void enlarged();
    void ramp();
    void patchwork();
@@ -242,6 +243,15 @@ void Painter::contrary() {
    }
 }
 
+void Painter::bands() {
+   const int wide = 2, high = 1 + random_.below(4), shift = random_.below(2 * wide);
+   for (DeepImage* image : {&pair.left, &pair.right})
+      fill(*image, [&](int x, int y) { return uint16_t((x + shift) / wide % 2 == y / high % 2 ? 0 : top_); });
+   const int ends[] = {shape_.first_disparity, shape_.first_disparity + wide, last_disparity() - wide,
+                       last_disparity()};
+   match_all(random_.percent(70) ? ends[random_.below(4)] : any_disparity());
+}
+
 void Painter::enlarged() {
    constexpr int kScale = 4;
    constexpr std::array kKinds{StressClass::steps, StressClass::edges, StressClass::stairs, StressClass::tiles};
@@ -337,6 +347,9 @@ DeepPair stress_pair(StressClass kind, const StressShape& shape, Random& random)
          break;
       case StressClass::contrary:
          painter.contrary();
+         break;
+      case StressClass::bands:
+         painter.bands();
          break;
       case StressClass::enlarged:
          painter.enlarged();

@@ -28,6 +28,8 @@ enum class StressClass {
    rough,       ///< slopes with noise: the largest costs of a census, no two disparities alike
    tiles,       ///< each matched at a disparity of its own: paths from the left, the right and above that want others
    contrary,    ///< tiles in which another disparity has the largest costs: paths that lie as far apart as they can
+   bands,       ///< black and white, two columns wide, matched: where few disparities are searched, the second best one
+                ///< is as far above the best one as it can be
    enlarged,    ///< another class, four times as large: what a search in coarse images sees
 };
 
@@ -40,7 +42,7 @@ inline constexpr std::array kStressClasses{
 
 /// Of the last stream only.
 inline constexpr std::array kLastStressClasses{StressClass::rough, StressClass::tiles, StressClass::contrary,
-                                               StressClass::enlarged};
+                                               StressClass::bands, StressClass::enlarged};
 
 inline constexpr std::array kAllStressClasses = [] {
    std::array<StressClass, kStressClasses.size() + kLastStressClasses.size()> all{};

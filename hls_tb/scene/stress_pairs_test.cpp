@@ -139,6 +139,22 @@ TEST(StressPairs, TilesDifferMuchBesideTheirDisparity) {
    EXPECT_GT(beside / all, 100) << "85 of noise";
 }
 
+TEST(StressPairs, BandsDifferByAllTwoColumnsBesideTheirDisparity) {
+   for (const DeepPair& pair : pairs(StressClass::bands, kShape)) {
+      std::set<int> matches, opposites;
+      for (int d = kShape.first_disparity; d < kShape.first_disparity + kShape.disparities; ++d) {
+         int sum = 0, all = 0;
+         for (int y = 0; y < kShape.height; ++y)
+            for (int x = std::max(0, -d); x < std::min(kShape.width, kShape.width - d); ++x, all += 255)
+               sum += std::abs(int(pair.left.at(x + d, y)) - int(pair.right.at(x, y)));
+         if (sum == 0) matches.insert(d);
+         if (sum > all * 4 / 5) opposites.insert(d);
+      }
+      ASSERT_FALSE(matches.empty());
+      EXPECT_TRUE(opposites.contains(*matches.begin() + 2) || opposites.contains(*matches.begin() - 2));
+   }
+}
+
 TEST(StressPairs, EnlargedPairsAreOfBlocksOfAboutOneLevel) {
    int most = 0;
    for (const DeepPair& pair : pairs(StressClass::enlarged, kShape)) {

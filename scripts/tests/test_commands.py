@@ -10,7 +10,7 @@ import sys
 import pytest
 
 from flow.base import committed
-from flow.base.tools import ROOT
+from flow.base.tools import ROOT, find_stereo_hls
 from flow.synthesis import manifest
 from flow_commands import call, cosim, refused, scene
 
@@ -145,6 +145,26 @@ def test_another_program_in_its_place(pair, tmp_path):
     arguments = ("cosim.py", "--config", "tiny", "--left", pair[0], "--right", pair[1])
     refused(call(*arguments, environment={"STEREO_HLS": str(tmp_path)}), 3, f"stereo_hls not found at {tmp_path}")
     refused(call(*arguments, environment={"STEREO_HLS": "/bin/true"}), 4, "/bin/true does not list configurations")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["synthesize.py", "--config", "tiny", "--out", "made"],
+        ["verify_axi.py", "--config", "tiny", "--frames", 1, "--out", "made"],
+    ],
+    ids=["synthesize.py", "verify_axi.py"],
+)
+def test_a_core_that_is_not_built_is_missed_before_the_tool_runs(tmp_path, words):
+    """What needs it comes minutes later. A program without modules beside it stands for one whose core is not built."""
+    program = shutil.copy(find_stereo_hls(), tmp_path)
+    tool = tmp_path / "bambu"
+    tool.write_text(f"#!/bin/sh\ntouch '{tmp_path}/ran'\n")
+    tool.chmod(0o755)
+    words = [tmp_path / word if word == "made" else word for word in words]
+    process = call(*words, environment={"STEREO_HLS": program, "BAMBU": str(tool)})
+    refused(process, 3, "the clocked core of tiny is not built", "cmake --build")
+    assert not (tmp_path / "made").exists() and not (tmp_path / "ran").exists()
 
 
 def test_no_vhdl_for_this_configuration(pair, nothing_written, tmp_path):

@@ -359,14 +359,16 @@ def test_summary_names_the_worst():
 
     def one(name, luts, mhz):
         result = {"luts": 100, "ffs": 200, "block_rams": 4, "fmax_mhz": {"median": 100.0}, "device": "x"}
+        result["lut_sites"] = 50
         core, block_rams = Implemented(name, {}, "ecp5", result), 5 if name == "b" else 4
-        return compared.Compared(core, luts, block_rams, mhz, luts and 2 * luts + 2)
+        return compared.Compared(core, luts, block_rams, mhz, luts and 2 * luts + 2, luts and luts // 2 + 2)
 
     rows = page.summary([one("a", 110, 101.0), one("b", 70, 99.0), one("c", 105, 150.0), one("d", None, None)])
     assert rows[0] == "| look-up tables | 3 | 10.0 % | 12 % | -30 %, `b`, 85F, grade 8 |"
-    assert rows[1] == "| flip-flops | 3 | 11.0 % | 12 % | -29 %, `b`, 85F, grade 8 |"
-    assert rows[2] == "| block RAMs | 4 | 3 exact | exact | `b`: 5 instead of 4 |"
-    assert rows[3] == "| clock | 3 | 1.0 % | 20 % | +50 %, `c`, 85F, grade 8 |"
+    assert rows[1] == "| LUT sites | 3 | 14.0 % | 12 % | -26 %, `b`, 85F, grade 8 |"
+    assert rows[2] == "| flip-flops | 3 | 11.0 % | 12 % | -29 %, `b`, 85F, grade 8 |"
+    assert rows[3] == "| block RAMs | 4 | 3 exact | exact | `b`: 5 instead of 4 |"
+    assert rows[4] == "| clock | 3 | 1.0 % | 20 % | +50 %, `c`, 85F, grade 8 |"
 
 
 def test_picture_has_every_system_on_every_device(planner):

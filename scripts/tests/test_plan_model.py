@@ -36,8 +36,17 @@ def test_bars_on_the_estimates(errors):
     assert len(errors) > 50
     assert compared.size_of(one.luts_error for one in errors) < 0.12
     assert compared.size_of(one.flip_flops_error for one in errors) < 0.12
+    assert compared.size_of(one.lut_sites_error for one in errors) < 0.12
     assert compared.size_of(one.mhz_error for one in errors) < 0.20
     assert {one.core.name for one in errors if one.block_rams_error} <= {"masrani_640", *LEFT_BITS_DECIDE}
+
+
+def test_logic_cells_of_an_ice40(errors):
+    """A flip-flop takes one, with a look-up table before it or alone. Designs that are too large count, too."""
+    of_core = {one.core.name: one for one in errors if devices.netlist_of(one.core.target) == "ice40"}
+    assert of_core["ambrosch2007"].core.lut_sites == 19_623 > devices.device_of("hx8k").lut_sites
+    known = [one.lut_sites_error for one in of_core.values() if one.lut_sites_error is not None]
+    assert len(known) >= 5 and max(map(abs, known)) < 0.12
 
 
 def test_a_core_is_left_out_of_its_own_estimate(planner):
@@ -65,10 +74,11 @@ def test_factors_mean_something(planner):
     assert model.covered_ffs.keys() == {"gowin"} and 0 < model.covered_ffs["gowin"] < 1, "a carry cell is a LUT, too"
     grades = model.grades()
     assert 1 == grades["ecp5"] > grades["ecp5_grade6"] > grades[SMALL]
-    slope, beside = model.sites["ecp5"]
-    assert 1 < slope < 1.2 and abs(beside) < 100
+    ecp5, ice40 = model.sites["ecp5"], model.sites["ice40"]
+    assert 1 < ecp5.of_lut < 1.2 and ecp5.of_flip_flop == 0 and abs(ecp5.beside) < 100
+    assert 0 < ice40.of_lut < 1 < ice40.of_flip_flop < 1.5 and ice40.beside == 0, "most registers are behind no LUT"
     measured = [
-        one.result["lut_sites"] / model.lut_sites(one.luts, "ecp5")
+        one.lut_sites / model.lut_sites(one.luts, one.flip_flop_sites, "ecp5")
         for one in planner.known
         if one.mhz and devices.netlist_of(one.target) == "ecp5"
     ]

@@ -3,6 +3,7 @@
 
 import contextlib
 import re
+from dataclasses import replace
 
 import pytest
 
@@ -11,7 +12,7 @@ from flow.base import committed
 from flow.base.errors import FlowError
 from flow.synthesis import manifest
 from flow.synthesis.lowering.vhdl_text import type_of
-from flow.synthesis.presentation import arrays, bits, comparisons, loops, scalars, tree
+from flow.synthesis.presentation import arrays, bits, comparisons, core, loops, scalars, tree
 from flow.synthesis.presentation.present import expand, present
 from flow.synthesis.presentation.words import joined, split
 from flow.synthesis.structure import structure_digest
@@ -43,6 +44,16 @@ def test_committed(name):
     assert not re.search(rf"\bloop\b| is array |\b({bits.NAME}|{comparisons.NAME})\b", scalar)
     assert present(scalar) == text == present(text)
     assert structure_digest(scalar) == manifest.read(committed.folder(name))["structure"]
+
+
+@pytest.mark.parametrize("name", FAST)
+def test_the_order_of_variables_does_not_count(rng, name):
+    """Bambu's is not that of presented VHDL that is presented again."""
+    scalar = core.read(expand(text_of(name)))
+    assert len(scalar.variables) > 1
+    names = [core.Names(one.kind, [variable]) for one in scalar.variables for variable in one.names]
+    rng.shuffle(names)
+    assert present(core.text(replace(scalar, variables=names))) == text_of(name)
 
 
 def changed_number(rng, text, pattern):

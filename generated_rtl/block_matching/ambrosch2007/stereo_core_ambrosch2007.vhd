@@ -425,8 +425,14 @@ begin
       delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, slice0winner5_best_cost_0_0_is_less,
       slice1winner5_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, slice2winner5_best_cost_0_0_is_less,
       slice2_best_cost_0_0_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_choice : natural range 0 to 15;
+    variable raster_place_group_choices : natural_255_1d(3 to 4);  -- _choice_#
+    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
+      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
     variable slice0cost_difference_value, slice1cost_difference_value, slice2cost_difference_value,
       slice3cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- _#_#_value
+    variable slice0cost_difference_2_difference, slice1cost_difference_2_difference,
+      slice2cost_difference_2_difference, slice3cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- _#_difference
     variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
       slice3winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- _#_is_less
     variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
@@ -435,12 +441,6 @@ begin
       slice3winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner4_best_cost_0_is_less, slice1winner4_best_cost_0_is_less, slice2winner4_best_cost_0_is_less,
       slice3winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable raster_place_group_choice : natural range 0 to 15;
-    variable raster_place_group_choices : natural_255_1d(3 to 4);  -- _choice_#
-    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
-      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
-    variable slice0cost_difference_2_difference, slice1cost_difference_2_difference,
-      slice2cost_difference_2_difference, slice3cost_difference_2_difference : integer_minus_255_to_255_1d(0 to 24);  -- _#_difference
   begin
     wait until rising_edge(clock);
     -- raster

@@ -325,20 +325,20 @@ begin
       passes_read_tag_border_column_differs, passes_read_tag_first_cost_is_equal, slice0winner3_best_cost_0_0_is_less,
       slice0winner4_best_cost_0_0_is_less, best_base_any, best_base_is_equal, winners_row_differs,
       winners_column_any : boolean;
-    variable passes_inside_0_choices, passes_leaving_starts_choices,
-      passes_read_tag_border_column_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 4);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choices : natural_255_1d(3 to 4);  -- _choice_#
+    variable passes_inside_0_choices, passes_leaving_starts_choices,
+      passes_read_tag_border_column_choices : boolean_1d(1 to 2);  -- _choice_#
     variable passes_search_start_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable passes_search_address_choice : natural range 0 to 255;
-    variable other_choice : natural_255_2d(0 to 1, 1 to 2);  -- _#_choice_#
     variable passes_search_address_value : natural range 0 to 512;
+    variable passes_search_address_choice : natural range 0 to 255;
     variable passes_search_address_choice_2, passes_reference_address_choice,
       winners_column_choice : natural range 0 to 511;
-    variable best_write_column_choices : natural_511_1d(1 to 2);  -- _choice_#
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 4);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable best_base_choices : natural_127_1d(1 to 2);  -- _choice_#
+    variable best_write_column_choices : natural_511_1d(1 to 2);  -- _choice_#
+    variable other_choice : natural_255_2d(0 to 1, 1 to 2);  -- _#_choice_#
   begin
     wait until rising_edge(clock);
     -- raster

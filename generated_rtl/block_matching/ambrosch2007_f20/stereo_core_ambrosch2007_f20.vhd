@@ -317,16 +317,16 @@ begin
       passes_showing_output_differs, passes_showing_output_any, passes_read_tag_first_cost_is_equal,
       slice0winner1_of_four_0_0_is_less, slice0winner2_best_cost_0_0_is_less, best_last_pass_is_equal,
       best_here_wins_is_less, best_pass_any, winners_row_differs, winners_column_any : boolean;
-    variable passes_inside_0_choices, passes_leaving_starts_choices,
-      passes_read_tag_border_column_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable passes_read_tag_border_column_differss : boolean_1d(1 to 2);  -- _differs_#
-    variable slice0winner1_of_pair_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choices : natural_255_1d(3 to 4);  -- _choice_#
-    variable other_choice : natural_255_2d(0 to 1, 1 to 2);  -- _#_choice_#
+    variable passes_inside_0_choices, passes_leaving_starts_choices,
+      passes_read_tag_border_column_choices : boolean_1d(1 to 2);  -- _choice_#
     variable passes_search_address_value : natural range 0 to 512;
     variable passes_search_address_choices, best_write_column_choices : natural_511_1d(1 to 2);  -- _choice_#
     variable passes_reference_address_choice, winners_column_choice : natural range 0 to 511;
+    variable passes_read_tag_border_column_differss : boolean_1d(1 to 2);  -- _differs_#
+    variable slice0winner1_of_pair_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
+    variable other_choice : natural_255_2d(0 to 1, 1 to 2);  -- _#_choice_#
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

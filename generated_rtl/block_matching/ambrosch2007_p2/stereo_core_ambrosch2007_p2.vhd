@@ -512,11 +512,17 @@ begin
     variable raster_place_group_is_equals : boolean_1d(1 to 3);  -- _equal_#
     variable raster_place_group_all, raster_place_group_choice_2, delay_tag_newest_inside_is_not_less,
       delay_tag_newest_inside_is_less : boolean;
+    variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
+    variable raster_place_group_choices : natural_127_1d(3 to 4);  -- _choice_#
     variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable delay_row_inside_value : boolean_2d(0 to 1, 1 to 2);  -- _#_value_#
     variable delay_row_inside_choice : boolean_1d(0 to 1);  -- _#_choice
+    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
+      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
     variable slice0cost_difference_value, slice1cost_difference_value, slice2cost_difference_value,
       slice3cost_difference_value : boolean_2d(0 to 1, 1 to 23);  -- _#_#_value
+    variable slice0cost_difference_difference, slice1cost_difference_difference, slice2cost_difference_difference,
+      slice3cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- _#_#_difference
     variable slice0winner1_best_cost_is_less, slice1winner1_best_cost_is_less, slice2winner1_best_cost_is_less,
       slice3winner1_best_cost_is_less : boolean_2d(0 to 1, 0 to 11);  -- _#_#_is_less
     variable slice0winner2_best_cost_is_less, slice1winner2_best_cost_is_less, slice2winner2_best_cost_is_less,
@@ -528,12 +534,6 @@ begin
     variable slice0winner5_best_cost_0_is_less, slice1winner5_best_cost_0_is_less, slice1_best_cost_0_is_less,
       slice2winner5_best_cost_0_is_less, slice2_best_cost_0_is_less,
       slice3winner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_0_is_less
-    variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
-    variable raster_place_group_choices : natural_127_1d(3 to 4);  -- _choice_#
-    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
-      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
-    variable slice0cost_difference_difference, slice1cost_difference_difference, slice2cost_difference_difference,
-      slice3cost_difference_difference : integer_minus_255_to_255_2d(2 to 3, 0 to 24);  -- _#_#_difference
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

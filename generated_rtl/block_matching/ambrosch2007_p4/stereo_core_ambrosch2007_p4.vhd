@@ -543,14 +543,25 @@ begin
   process
     variable raster_place_group_is_equals, delay_row_inside_1_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable raster_place_group_alls : boolean_1d(1 to 2);  -- _all_#
+    variable raster_place_group_choice : natural range 0 to 15;
     variable raster_place_group_choice_2, raster_place_next_frame_choice, delay_row_inside_0_differs,
       delay_row_inside_1_choice, delay_tag_newest_inside_is_equal, delay_tag_output_column_is_not_less,
       delay_tag_output_column_is_less : boolean;
+    variable raster_place_group_choices : natural_63_1d(3 to 4);  -- _choice_#
     variable delay_tag_newest_inside_anys : boolean_1d(1 to 2);  -- _any_#
+    variable delay_tag_newest_inside_choices : natural_7_1d(1 to 4);  -- _choice_#
+    variable delay_tag_newest_inside_choice_2 : natural range 0 to 3;
+    variable delay_tag_newest_inside_sum : natural range 0 to 7;
+    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
+      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
     variable slice0cost_difference_value, slice1cost_difference_value, slice2cost_difference_value,
       slice3cost_difference_value : boolean_2d(0 to 4, 0 to 23);  -- _#_#_value
+    variable slice0cost_difference_difference, slice1cost_difference_difference, slice2cost_difference_difference,
+      slice3cost_difference_difference : integer_minus_255_to_255_2d(4 to 5, 0 to 24);  -- _#_#_difference
     variable slice0cost_pair_is_less, slice1cost_pair_is_less, slice2cost_pair_is_less,
       slice3cost_pair_is_less : boolean_2d(0 to 1, 0 to 24);  -- _#_#_is_less
+    variable slice0cost_pair_folded_value, slice1cost_pair_folded_value, slice2cost_pair_folded_value,
+      slice3cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 24);  -- _#_#_folded_value
     variable slice0winner1_best_cost_is_less, slice1winner1_best_cost_is_less, slice2winner1_best_cost_is_less,
       slice3winner1_best_cost_is_less : boolean_2d(0 to 3, 0 to 11);  -- _#_#_is_less
     variable slice0winner2_best_cost_is_less, slice1winner2_best_cost_is_less, slice2winner2_best_cost_is_less,
@@ -562,17 +573,6 @@ begin
     variable slice0winner5_best_cost_0_is_less, slice1winner5_best_cost_0_is_less, slice1_best_cost_0_is_less,
       slice2winner5_best_cost_0_is_less, slice2_best_cost_0_is_less,
       slice3winner5_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_0_is_less
-    variable raster_place_group_choice : natural range 0 to 15;
-    variable raster_place_group_choices : natural_63_1d(3 to 4);  -- _choice_#
-    variable delay_tag_newest_inside_choices : natural_7_1d(1 to 4);  -- _choice_#
-    variable delay_tag_newest_inside_sum : natural range 0 to 7;
-    variable delay_tag_newest_inside_choice_2 : natural range 0 to 3;
-    variable slice0cost_difference_choice, slice1cost_difference_choice, slice2cost_difference_choice,
-      slice3cost_difference_choice : natural_255_3d(0 to 1, 0 to 24, 1 to 2);  -- _#_#_choice_#
-    variable slice0cost_pair_folded_value, slice1cost_pair_folded_value, slice2cost_pair_folded_value,
-      slice3cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 24);  -- _#_#_folded_value
-    variable slice0cost_difference_difference, slice1cost_difference_difference, slice2cost_difference_difference,
-      slice3cost_difference_difference : integer_minus_255_to_255_2d(4 to 5, 0 to 24);  -- _#_#_difference
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

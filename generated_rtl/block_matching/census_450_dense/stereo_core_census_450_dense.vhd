@@ -893,51 +893,39 @@ begin
       fill_out_filled_0_is_equal, fill_out_filled_0_choice, fill_out_tag_row_start_differs, fill_ends_row_place_0_all,
       fill_beside_0_left_any, median_counter_group_is_equal, median_line_ended_choice, median_window_complete_is_equal,
       median_window_complete_choice : boolean;
+    variable transform_counter_group_choice, support_counter_group_choice, fill_counter_group_choice,
+      median_counter_group_choice : natural range 0 to 375;
+    variable transform_counter_group_choices, support_counter_group_choices, fill_counter_group_choices,
+      median_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(7 to 193);
     variable transform_counter_next_frame_choices, support_next_tag_choices,
       fill_ends_next_place_0_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable slice0cost_column_0_choice, slice0window_change_0_choice, slice1cost_column_0_choice,
+      slice1window_change_0_choice, slice2cost_column_0_choice, slice2window_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
+    variable slice0cost_column_0_value, slice1cost_column_0_value, slice2cost_column_0_value : natural_255_1d(0 to 15);  -- _#_value
+    variable slice0window_sum_0_choice, slice0winner1_held_0_choice, slice1window_sum_0_choice,
+      slice1winner1_held_0_choice, slice2window_sum_0_choice, slice2winner1_held_0_choice : natural_2047_1d(0 to 15);  -- _#_choice
     variable slice0mask_inside_choice, slice1mask_inside_choice, slice1other_cost_0_choice,
       slice2mask_inside_choice : boolean_1d(0 to 15);  -- _#_choice
     variable slice0other_cost_0_choice : boolean_1d(1 to 15);  -- _#_choice
+    variable slice0winner1_held_0_any, slice1winner1_held_0_any, slice2winner1_held_0_any : natural_2047_1d(0 to 15);  -- _#_any
     variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less,
       slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
     variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less,
       slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
     variable slice0winner2_best_below_0_is_equal, slice1winner2_best_below_0_is_equal,
       slice2winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- _#_is_equal
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less,
-      slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice0winner3_best_below_0_is_equal, slice0winner3_best_above_0_is_equal,
-      slice1winner3_best_below_0_is_equal, slice1winner3_best_above_0_is_equal, slice2winner3_best_below_0_is_equal,
-      slice2winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
-    variable slice2other_cost_0_choice : boolean_1d(0 to 14);  -- _#_choice
-    variable refinement_below_0_values : boolean_1d(1 to 2);  -- _value_#
-    variable leftright_checked_tag_row_start_choices, support_out_tag_row_start_choices,
-      fill_out_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable leftright_checked_tag_row_start_alls, support_out_tag_row_start_alls, fill_out_disparity_0_alls,
-      fill_out_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable support_like_0_0_choice : boolean_1d(0 to 6);  -- _#_0_choice
-    variable support_like_0_1_differs : boolean_1d(0 to 6);  -- _#_1_differs
-    variable median_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable transform_counter_group_choice, support_counter_group_choice, fill_counter_group_choice,
-      median_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choices, support_counter_group_choices, fill_counter_group_choices,
-      median_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable fill_takes_left_0_choice_2 : natural range 0 to 511;
-    variable slice0cost_column_0_choice, slice0window_change_0_choice, slice1cost_column_0_choice,
-      slice1window_change_0_choice, slice2cost_column_0_choice, slice2window_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
-    variable slice0cost_column_0_value, slice1cost_column_0_value, slice2cost_column_0_value : natural_255_1d(0 to 15);  -- _#_value
-    variable refinement_fraction_0_choice, support_out_sure_0_choice, fill_takes_left_0_choice : natural range 0 to 255;
-    variable fill_ends_read_place_0_choices : natural_255_1d(2 to 3);  -- _choice_#
-    variable slice0window_sum_0_choice, slice0winner1_held_0_choice, slice1window_sum_0_choice,
-      slice1winner1_held_0_choice, slice2window_sum_0_choice, slice2winner1_held_0_choice : natural_2047_1d(0 to 15);  -- _#_choice
-    variable slice0winner1_held_0_any, slice1winner1_held_0_any, slice2winner1_held_0_any : natural_2047_1d(0 to 15);  -- _#_any
     variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
       slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice,
       slice2winner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- _#_choice
     variable slice0winner2_best_second_0_choice, slice1winner2_best_second_0_choice,
       slice2winner2_best_second_0_choice : natural_2047_2d(0 to 3, 1 to 4);  -- _#_choice_#
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less,
+      slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable slice0winner3_best_below_0_is_equal, slice0winner3_best_above_0_is_equal,
+      slice1winner3_best_below_0_is_equal, slice1winner3_best_above_0_is_equal, slice2winner3_best_below_0_is_equal,
+      slice2winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
     variable slice0winner3_best_below_0_choice, slice0winner3_best_above_0_choice, slice1winner3_best_below_0_choice,
       slice1winner3_best_above_0_choice, slice2winner3_best_below_0_choice,
       slice2winner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- _#_choice
@@ -951,23 +939,35 @@ begin
     variable slice0winner4_best_second_0_0_choices, slice1winner4_best_second_0_0_choices,
       slice1_best_second_0_0_choices, slice2winner4_best_second_0_0_choices,
       slice2_best_second_0_0_choices : natural_2047_1d(1 to 4);  -- _choice_#
+    variable slice2other_cost_0_choice : boolean_1d(0 to 14);  -- _#_choice
+    variable refinement_below_0_values : boolean_1d(1 to 2);  -- _value_#
     variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
     variable refinement_remainder_0_difference : natural_2049_to_8190_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice, support_out_sure_0_choice, fill_takes_left_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -62 to 64;
+    variable leftright_checked_tag_row_start_choices, support_out_tag_row_start_choices,
+      fill_out_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable leftright_checked_tag_row_start_alls, support_out_tag_row_start_alls, fill_out_disparity_0_alls,
+      fill_out_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
     variable support_column_choice : natural_63_to_127_1d(0 to 4);  -- _#_choice
     variable support_like_0_0_0_difference : integer range -62 to 1;
     variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- _#_#_value
+    variable support_like_0_0_choice : boolean_1d(0 to 6);  -- _#_0_choice
+    variable support_like_0_1_differs : boolean_1d(0 to 6);  -- _#_1_differs
+    variable fill_ends_read_place_0_choices : natural_255_1d(2 to 3);  -- _choice_#
+    variable fill_takes_left_0_choice_2 : natural range 0 to 511;
     variable fill_out_disparity_0_choice : natural range 0 to 1023;
     variable fill_out_disparity_0_choice_2, median_of_column_0_c_choice, median_low_0_0_choice,
       median_middle_0_0_choice, median_high_0_0_choice : natural range 0 to 32767;
+    variable fill_write_above_0_choice : natural range 0 to 65535;
+    variable median_of_column_0_a_choice : natural range 0 to 4095;
     variable median_sorted_low_0_choices, median_sorted_middle_0_choices, median_sorted_high_0_choices,
       median_largest_low_0_choices, median_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
     variable median_median_middle_0_choices, median_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
-    variable fill_write_above_0_choice : natural range 0 to 65535;
-    variable median_of_column_0_a_choice : natural range 0 to 4095;
+    variable median_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

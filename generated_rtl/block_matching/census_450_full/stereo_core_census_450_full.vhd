@@ -590,34 +590,29 @@ begin
       refinement_below_0_differs, refinement_below_0_choice, refinement_above_0_differs, refinement_above_0_choice,
       refinement_divisor_0_0_is_less, map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value,
       map_window_complete_is_equal, map_window_complete_choice : boolean;
+    variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 375;
+    variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(7 to 193);
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0mask_inside_choice, slice1mask_inside_choice, slice2mask_inside_choice : boolean_1d(0 to 15);  -- _#_choice
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less,
-      slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less,
-      slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less,
-      slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable refinement_tag_11_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable refinement_tag_11_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable refinement_below_0_values : boolean_1d(1 to 2);  -- _value_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable slice0cost_column_0_choice, slice0window_change_0_choice, slice1cost_column_0_choice,
       slice1window_change_0_choice, slice2cost_column_0_choice, slice2window_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
     variable slice0cost_column_0_value, slice1cost_column_0_value, slice2cost_column_0_value : natural_255_1d(0 to 15);  -- _#_value
-    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice : natural_2047_1d(0 to 15);  -- _#_choice
+    variable slice0mask_inside_choice, slice1mask_inside_choice, slice2mask_inside_choice : boolean_1d(0 to 15);  -- _#_choice
     variable slice0winner1_best_cost_0_choice, slice1winner1_best_cost_0_choice,
       slice2winner1_best_cost_0_choice : natural_2047_2d(0 to 7, 1 to 2);  -- _#_choice_#
     variable slice0winner1_best_cost_0_any, slice1winner1_best_cost_0_any,
       slice2winner1_best_cost_0_any : natural_2047_2d(0 to 7, 1 to 2);  -- _#_any_#
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less,
+      slice2winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less,
+      slice2winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
     variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
       slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice,
       slice2winner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- _#_choice
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less,
+      slice2winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable slice0winner3_best_below_0_choice, slice0winner3_best_above_0_choice, slice1winner3_best_below_0_choice,
       slice1winner3_best_above_0_choice, slice2winner3_best_below_0_choice,
       slice2winner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- _#_choice
@@ -626,10 +621,14 @@ begin
       slice1_best_above_0_0_choice, slice2winner4_best_below_0_0_choice, slice2winner4_best_above_0_0_choice,
       slice2_best_below_0_0_choice, slice2_best_above_0_0_choice,
       refinement_divisor_0_0_choice : natural range 0 to 2047;
+    variable refinement_tag_11_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable refinement_tag_11_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable refinement_below_0_values : boolean_1d(1 to 2);  -- _value_#
     variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
     variable refinement_remainder_0_difference : natural_2049_to_8190_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable map_of_column_0_a_choice : natural range 0 to 4095;
     variable map_of_column_0_c_choice, map_low_0_0_choice, map_middle_0_0_choice,
@@ -637,6 +636,7 @@ begin
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

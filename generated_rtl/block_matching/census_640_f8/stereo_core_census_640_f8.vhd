@@ -650,36 +650,19 @@ begin
       refinement_divisor_0_0_is_less, winners_row_differs, winners_column_any, check_read_has_before_is_less,
       check_read_has_before_value, check_cost_any, check_checked_tag_row_start_differs, map_counter_group_is_equal,
       map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice : boolean;
-    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
-    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
-    variable transform_counter_next_frame_choices, passes_coming_first_group_choices, passes_coming_output_choices,
-      passes_coming_starts_choices, passes_showing_output_choices, passes_leaving_starts_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0other_cost_0_all : boolean_1d(1 to 7);  -- _#_all
-    variable slice0other_cost_0_choice : boolean_1d(1 to 6);  -- _#_choice
-    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice0winner2_best_below_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
-    variable best_before_is_last_values : boolean_1d(1 to 2);  -- _value_#
-    variable best_before_is_last_choices, check_read_has_before_choices : boolean_1d(1 to 7);  -- _choice_#
-    variable check_read_winner_alls, check_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable check_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable transform_left_filter_feature_0_choice_203,
-      transform_right_filter_feature_0_choice_203 : natural range 0 to 511;
+    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
+    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_left_filter_feature_0_choice_201, transform_right_filter_feature_0_choice_201,
       refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable transform_left_filter_feature_0_choice_202,
       transform_right_filter_feature_0_choice_202 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice_203,
+      transform_right_filter_feature_0_choice_203 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_204, transform_right_filter_feature_0_choice_204,
       slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice, best_best_below_0_0_choice,
       best_best_above_0_0_choice, refinement_divisor_0_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_choice : natural_4095_1d(0 to 7);  -- _#_choice
-    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice : natural_4095_1d(0 to 1);  -- _#_choice
-    variable slice0winner2_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- _#_choice_#
-    variable slice0winner3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- _choice_#
-    variable best_best_second_0_0_choices : natural_4095_1d(1 to 6);  -- _choice_#
     variable transform_left_filter_feature_0_choice_213,
       transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_214,
@@ -688,30 +671,47 @@ begin
       transform_right_filter_feature_0_choice_215 : natural range 0 to 1048575;
     variable transform_left_filter_feature_0_choice_216,
       transform_right_filter_feature_0_choice_216 : natural range 0 to 8388607;
+    variable transform_counter_next_frame_choices, passes_coming_first_group_choices, passes_coming_output_choices,
+      passes_coming_starts_choices, passes_showing_output_choices, passes_leaving_starts_choices : boolean_1d(1 to 2);  -- _choice_#
     variable passes_pass_ends_choice : natural range 586 to 593;
     variable passes_search_start_choices : natural_127_1d(1 to 2);  -- _choice_#
-    variable passes_search_address_choice, check_read_place_choice, check_first_choice : natural range 0 to 127;
     variable passes_search_address_value, check_read_counts_sum, check_read_counts_choice : natural range 0 to 1024;
+    variable passes_search_address_choice, check_read_place_choice, check_first_choice : natural range 0 to 127;
     variable passes_search_address_choice_2, passes_reference_address_choice, winners_column_choice,
       check_write_place_choice : natural range 0 to 1023;
-    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- _choice_#
     variable slice0cost_column_0_choice : natural_255_2d(0 to 7, 1 to 2);  -- _#_choice_#
     variable slice0window_change_0_choice : natural_255_1d(0 to 7);  -- _#_choice
-    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable slice0window_sum_0_choice : natural_4095_1d(0 to 7);  -- _#_choice
+    variable slice0other_cost_0_all : boolean_1d(1 to 7);  -- _#_all
+    variable slice0other_cost_0_choice : boolean_1d(1 to 6);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable slice0winner2_best_below_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
+    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice : natural_4095_1d(0 to 1);  -- _#_choice
+    variable slice0winner2_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- _#_choice_#
+    variable slice0winner3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- _choice_#
     variable best_base_choices, check_read_winner_choices : natural_31_1d(1 to 2);  -- _choice_#
+    variable best_before_is_last_values : boolean_1d(1 to 2);  -- _value_#
+    variable best_before_is_last_choices, check_read_has_before_choices : boolean_1d(1 to 7);  -- _choice_#
     variable best_before_is_last_values_from_3 : natural_3_1d(3 to 4);  -- _value_#
+    variable best_best_second_0_0_choices : natural_4095_1d(1 to 6);  -- _choice_#
     variable best_best_second_0_0_choice_3 : unsigned(59 downto 0);
+    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- _choice_#
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
     variable refinement_remainder_0_difference : natural_4097_to_16382_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable check_read_winner_alls, check_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
     variable check_read_has_before_sum : natural range 1 to 8;
     variable check_checked_passed_0_difference : integer range -254 to 64;
+    variable check_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
     variable map_of_column_0_c_choice, map_low_0_0_choice, map_middle_0_0_choice,
       map_high_0_0_choice : natural range 0 to 32767;
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

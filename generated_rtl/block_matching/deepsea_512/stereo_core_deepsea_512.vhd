@@ -663,21 +663,10 @@ begin
       delay_tag_first_cost_is_equal, slice0winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less,
       slice1_best_cost_0_0_is_less, slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less,
       slice3winner4_best_cost_0_0_is_less : boolean;
-    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
-    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 384);
-    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
-      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
-      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
-      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable transform_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
-      slice3cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
-      slice3window_change_0_choice : natural_511_1d(0 to 12);  -- _#_choice
+    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
+    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 384);
     variable transform_left_filter_feature_0_choice_385,
       transform_right_filter_feature_0_choice_385 : natural range 0 to 127;
     variable transform_left_filter_feature_0_choice_386,
@@ -690,8 +679,19 @@ begin
       transform_right_filter_feature_0_choice_389 : unsigned(33 downto 0);
     variable transform_left_filter_feature_0_choice_390,
       transform_right_filter_feature_0_choice_390 : unsigned(40 downto 0);
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice : natural_511_2d(0 to 12, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice : natural_511_1d(0 to 12);  -- _#_choice
     variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
       slice3window_sum_0_choice : natural_4095_1d(0 to 12);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
+      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
+      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
+      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

@@ -766,6 +766,12 @@ begin
       slice2_best_cost_0_0_is_less, slice3winner5_best_cost_0_0_is_less, slice3_best_cost_0_0_is_less,
       slice4winner5_best_cost_0_0_is_less, slice4_best_cost_0_0_is_less, slice5winner1_best_cost_0_0_is_less,
       slice5winner2_best_cost_0_0_is_less : boolean;
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice, slice4cost_column_0_choice : natural_4095_2d(0 to 24, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice, slice4window_change_0_choice : natural_4095_1d(0 to 24);  -- _#_choice
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice, slice4window_sum_0_choice : natural_32767_1d(0 to 24);  -- _#_choice
     variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
       slice3winner1_best_cost_0_is_less, slice4winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- _#_is_less
     variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
@@ -774,14 +780,8 @@ begin
       slice3winner3_best_cost_0_is_less, slice4winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner4_best_cost_0_is_less, slice1winner4_best_cost_0_is_less, slice2winner4_best_cost_0_is_less,
       slice3winner4_best_cost_0_is_less, slice4winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
-      slice3cost_column_0_choice, slice4cost_column_0_choice : natural_4095_2d(0 to 24, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
-      slice3window_change_0_choice, slice4window_change_0_choice : natural_4095_1d(0 to 24);  -- _#_choice
     variable slice5cost_column_0_choice : natural_4095_2d(0 to 2, 1 to 2);  -- _#_choice_#
     variable slice5window_change_0_choice : natural_4095_1d(0 to 2);  -- _#_choice
-    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
-      slice3window_sum_0_choice, slice4window_sum_0_choice : natural_32767_1d(0 to 24);  -- _#_choice
     variable slice5window_sum_0_choice : natural_32767_1d(0 to 2);  -- _#_choice
   begin
     wait until rising_edge(clock);

@@ -457,18 +457,18 @@ begin
     variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal,
       slice0winner4_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
       slice2winner4_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
-      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
-      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
-      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
       slice3cost_column_0_choice : natural_4095_2d(0 to 15, 1 to 2);  -- _#_choice_#
     variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
       slice3window_change_0_choice : natural_4095_1d(0 to 15);  -- _#_choice
     variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
       slice3window_sum_0_choice : natural_65535_1d(0 to 15);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
+      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
+      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
+      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
   begin
     wait until rising_edge(clock);
     -- raster

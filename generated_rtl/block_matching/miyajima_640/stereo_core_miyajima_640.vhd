@@ -944,6 +944,15 @@ begin
       slice4winner5_best_cost_0_0_is_less, slice4_best_cost_0_0_is_less, slice5winner5_best_cost_0_0_is_less,
       slice5_best_cost_0_0_is_less, slice6winner5_best_cost_0_0_is_less, slice6_best_cost_0_0_is_less,
       slice7winner5_best_cost_0_0_is_less : boolean;
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice, slice4cost_column_0_choice, slice5cost_column_0_choice, slice6cost_column_0_choice,
+      slice7cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice, slice4window_change_0_choice, slice5window_change_0_choice,
+      slice6window_change_0_choice, slice7window_change_0_choice : natural_2047_1d(0 to 24);  -- _#_choice
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice, slice4window_sum_0_choice, slice5window_sum_0_choice, slice6window_sum_0_choice,
+      slice7window_sum_0_choice : natural_16383_1d(0 to 24);  -- _#_choice
     variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
       slice3winner1_best_cost_0_is_less, slice4winner1_best_cost_0_is_less, slice5winner1_best_cost_0_is_less,
       slice6winner1_best_cost_0_is_less, slice7winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- _#_is_less
@@ -956,15 +965,6 @@ begin
     variable slice0winner4_best_cost_0_is_less, slice1winner4_best_cost_0_is_less, slice2winner4_best_cost_0_is_less,
       slice3winner4_best_cost_0_is_less, slice4winner4_best_cost_0_is_less, slice5winner4_best_cost_0_is_less,
       slice6winner4_best_cost_0_is_less, slice7winner4_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
-      slice3cost_column_0_choice, slice4cost_column_0_choice, slice5cost_column_0_choice, slice6cost_column_0_choice,
-      slice7cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
-      slice3window_change_0_choice, slice4window_change_0_choice, slice5window_change_0_choice,
-      slice6window_change_0_choice, slice7window_change_0_choice : natural_2047_1d(0 to 24);  -- _#_choice
-    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
-      slice3window_sum_0_choice, slice4window_sum_0_choice, slice5window_sum_0_choice, slice6window_sum_0_choice,
-      slice7window_sum_0_choice : natural_16383_1d(0 to 24);  -- _#_choice
   begin
     wait until rising_edge(clock);
     -- raster

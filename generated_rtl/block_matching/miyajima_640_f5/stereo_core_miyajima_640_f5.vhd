@@ -491,27 +491,27 @@ begin
       passes_read_tag_border_column_choice, passes_read_tag_first_cost_is_equal, passes_read_tag_leaves_window_differs,
       slice0winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
       best_base_any, best_base_is_equal, winners_row_differs, winners_column_any : boolean;
+    variable rows_search_choices, rows_reference_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable passes_search_start_choices : natural_127_1d(1 to 2);  -- _choice_#
+    variable passes_search_address_value : natural range 0 to 1024;
+    variable passes_search_address_choice : natural range 0 to 127;
+    variable passes_search_address_choice_2, passes_reference_address_choice,
+      winners_column_choice : natural range 0 to 1023;
     variable passes_leaving_output_choices, passes_leaving_starts_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable slice0cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- _#_choice
+    variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- _#_choice
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 11);  -- _#_is_less
     variable slice0winner2_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
     variable slice0winner3_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner4_best_cost_0_is_less, slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 6);  -- _#_is_less
-    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable rows_search_choices, rows_reference_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable passes_search_start_choices : natural_127_1d(1 to 2);  -- _choice_#
-    variable passes_search_address_choice : natural range 0 to 127;
-    variable passes_search_address_value : natural range 0 to 1024;
-    variable passes_search_address_choice_2, passes_reference_address_choice,
-      winners_column_choice : natural range 0 to 1023;
-    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- _choice_#
-    variable slice0cost_column_0_choice : natural_2047_2d(0 to 24, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice : natural_2047_1d(0 to 24);  -- _#_choice
     variable slice1cost_column_0_choice : natural_2047_2d(0 to 14, 1 to 2);  -- _#_choice_#
     variable slice1window_change_0_choice : natural_2047_1d(0 to 14);  -- _#_choice
-    variable slice0window_sum_0_choice : natural_16383_1d(0 to 24);  -- _#_choice
     variable slice1window_sum_0_choice : natural_16383_1d(0 to 14);  -- _#_choice
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 6);  -- _#_is_less
+    variable slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
     variable best_base_choices : natural_31_1d(1 to 2);  -- _choice_#
+    variable best_write_column_choices : natural_1023_1d(1 to 2);  -- _choice_#
   begin
     wait until rising_edge(clock);
     -- raster

@@ -373,16 +373,16 @@ begin
   process
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner4_best_cost_0_0_is_less,
       slice1winner4_best_cost_0_0_is_less : boolean;
+    variable slice0cost_column_0_choice : natural_2047_2d(0 to 13, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice : natural_2047_1d(0 to 13);  -- _#_choice
+    variable slice0window_sum_0_choice : natural_16383_1d(0 to 13);  -- _#_choice
     variable slice0winner1_best_cost_0_is_less : boolean_1d(0 to 6);  -- _#_is_less
     variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
-    variable slice0cost_column_0_choice : natural_2047_2d(0 to 13, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice : natural_2047_1d(0 to 13);  -- _#_choice
     variable slice1cost_column_0_choice : natural_2047_2d(0 to 12, 1 to 2);  -- _#_choice_#
     variable slice1window_change_0_choice : natural_2047_1d(0 to 12);  -- _#_choice
-    variable slice0window_sum_0_choice : natural_16383_1d(0 to 13);  -- _#_choice
     variable slice1window_sum_0_choice : natural_16383_1d(0 to 12);  -- _#_choice
+    variable slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
   begin
     wait until rising_edge(clock);
     -- raster

@@ -773,6 +773,7 @@ begin
 
   process
     variable transform_counter_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable transform_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_differs, transform_read_column_inside_0_differs,
       transform_left_filter_column_0_0_choice_3, transform_right_filter_column_0_0_choice_3,
       raster_place_group_is_equal, slice0winner1_best_index_0_0_is_not_less, slice0winner2_best_above_0_3_value,
@@ -791,36 +792,32 @@ begin
       slice3winner4_best_above_0_0_is_equal, slice3winner4_best_place_0_0_is_not_less, slice3_best_index_0_0_is_less,
       slice3_best_below_0_0_is_equal, slice3_best_above_0_0_is_equal, slice3_best_place_0_0_is_not_less,
       refinement_divisor_0_0_is_less : boolean;
+    variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
+    variable transform_left_filter_feature_0_choices, transform_right_filter_feature_0_choices : natural_127_1d(1 to 2);  -- _choice_#
     variable transform_counter_next_frame_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable transform_left_filter_column_0_0_choices,
+      transform_right_filter_column_0_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
+      slice3cost_column_0_choice : natural_1023_2d(0 to 15, 1 to 2);  -- _#_choice_#
+    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
+      slice3window_change_0_choice : natural_1023_1d(0 to 15);  -- _#_choice
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice : natural_16383_1d(0 to 15);  -- _#_choice
     variable slice0winner1_best_index_0_is_less, slice1winner1_best_index_0_is_less,
       slice2winner1_best_index_0_is_less, slice3winner1_best_index_0_is_less : boolean_1d(1 to 7);  -- _#_is_less
     variable slice0winner2_best_index_0_is_not_less, slice1winner2_best_index_0_is_not_less,
       slice2winner2_best_index_0_is_not_less, slice3winner2_best_index_0_is_not_less : boolean_1d(0 to 3);  -- _#_is_not_less
+    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
+      slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice, slice2winner2_best_above_0_choice,
+      slice3winner2_best_below_0_choice, slice3winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- _#_choice
+    variable slice0winner2_best_second_0_choice, slice1winner2_best_second_0_choice,
+      slice2winner2_best_second_0_choice, slice3winner2_best_second_0_choice : natural_16383_2d(0 to 3, 1 to 4);  -- _#_choice_#
     variable slice0winner3_best_index_0_is_not_less, slice1winner3_best_index_0_is_not_less,
       slice2winner3_best_index_0_is_not_less, slice3winner3_best_index_0_is_not_less : boolean_1d(0 to 1);  -- _#_is_not_less
     variable slice0winner3_best_below_0_is_equal, slice0winner3_best_above_0_is_equal,
       slice1winner3_best_below_0_is_equal, slice1winner3_best_above_0_is_equal, slice2winner3_best_below_0_is_equal,
       slice2winner3_best_above_0_is_equal, slice3winner3_best_below_0_is_equal,
       slice3winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
-    variable transform_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable transform_left_filter_feature_0_choices, transform_right_filter_feature_0_choices : natural_127_1d(1 to 2);  -- _choice_#
-    variable transform_left_filter_column_0_0_choices,
-      transform_right_filter_column_0_0_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
-      slice3cost_column_0_choice : natural_1023_2d(0 to 15, 1 to 2);  -- _#_choice_#
-    variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
-      slice3window_change_0_choice : natural_1023_1d(0 to 15);  -- _#_choice
-    variable texturecost_column_0_0_choices : natural_1023_1d(1 to 2);  -- _choice_#
-    variable texturewindow_change_0_0_choice : natural range 0 to 1023;
-    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
-      slice3window_sum_0_choice : natural_16383_1d(0 to 15);  -- _#_choice
-    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
-      slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice, slice2winner2_best_above_0_choice,
-      slice3winner2_best_below_0_choice, slice3winner2_best_above_0_choice : natural_16383_1d(0 to 3);  -- _#_choice
-    variable slice0winner2_best_second_0_choice, slice1winner2_best_second_0_choice,
-      slice2winner2_best_second_0_choice, slice3winner2_best_second_0_choice : natural_16383_2d(0 to 3, 1 to 4);  -- _#_choice_#
     variable slice0winner3_best_below_0_choice, slice0winner3_best_above_0_choice, slice1winner3_best_below_0_choice,
       slice1winner3_best_above_0_choice, slice2winner3_best_below_0_choice, slice2winner3_best_above_0_choice,
       slice3winner3_best_below_0_choice, slice3winner3_best_above_0_choice : natural_16383_1d(0 to 1);  -- _#_choice
@@ -835,10 +832,13 @@ begin
     variable slice0winner4_best_second_0_0_choices, slice1winner4_best_second_0_0_choices,
       slice1_best_second_0_0_choices, slice2winner4_best_second_0_0_choices, slice2_best_second_0_0_choices,
       slice3winner4_best_second_0_0_choices, slice3_best_second_0_0_choices : natural_16383_1d(1 to 4);  -- _choice_#
+    variable texturecost_column_0_0_choices : natural_1023_1d(1 to 2);  -- _choice_#
+    variable texturewindow_change_0_0_choice : natural range 0 to 1023;
     variable refinement_remainder_1_0_difference : natural range 16385 to 49151;
     variable refinement_remainder_0_difference : natural_16385_to_65534_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
   begin
     wait until rising_edge(clock);

@@ -282,9 +282,9 @@ begin
       delay_row_inside_1_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less,
       slice1winner1_of_pair_0_0_is_less, slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less,
       slice2winner1_best_cost_0_0_is_less : boolean;
-    variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choices : natural_15_1d(3 to 4);  -- _choice_#
+    variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
   begin
     wait until rising_edge(clock);
     -- raster

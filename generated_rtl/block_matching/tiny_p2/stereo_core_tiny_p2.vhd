@@ -286,13 +286,13 @@ begin
   process
     variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable raster_place_group_all, delay_row_inside_0_value : boolean;
+    variable raster_place_group_choice : natural range 0 to 3;
+    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
     variable raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable delay_row_inside_any : boolean_1d(0 to 1);  -- _#_any
     variable slice0winner1_of_pair_0_is_less, slice0winner1_of_four_0_is_less, slice1winner1_of_pair_0_is_less,
       slice1winner1_of_four_0_is_less, slice1_best_cost_0_is_less,
       slice2winner1_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_0_is_less
-    variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
   begin
     wait until rising_edge(clock);
     -- raster

@@ -318,16 +318,16 @@ begin
     variable raster_place_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable raster_place_group_all, raster_place_next_frame_all, raster_place_next_frame_choice,
       delay_row_inside_0_is_equal, delay_row_inside_1_choice : boolean;
+    variable raster_place_group_choice : natural range 0 to 3;
+    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
+    variable slice0cost_pair_folded_value, slice1cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- _#_#_folded_value
     variable slice0cost_pair_1_is_less, slice0cost_negative_0_is_less, slice1cost_pair_1_is_less,
       slice1cost_negative_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner1_best_cost_0_is_less, slice0winner2_best_cost_0_is_less, slice1winner1_best_cost_0_is_less,
       slice1winner2_best_cost_0_is_less, slice1_best_cost_0_is_less,
       slice2winner1_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_0_is_less
-    variable slice2cost_pair_1_is_less, slice2cost_negative_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choices : natural_7_1d(2 to 3);  -- _choice_#
-    variable slice0cost_pair_folded_value, slice1cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 2);  -- _#_#_folded_value
     variable slice2cost_pair_folded_value : natural_255_2d(0 to 1, 0 to 1);  -- _#_#_folded_value
+    variable slice2cost_pair_1_is_less, slice2cost_negative_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
   begin
     wait until rising_edge(clock);
     -- raster

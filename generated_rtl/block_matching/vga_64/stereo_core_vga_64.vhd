@@ -783,36 +783,16 @@ begin
       slice3_best_below_0_0_is_equal, slice3_best_above_0_0_is_equal, refinement_divisor_0_0_is_less,
       leftright_holds_winners_choice, leftright_checked_tag_row_start_differs, map_counter_group_is_equal,
       map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice : boolean;
-    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
-    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
-    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0other_cost_0_all : boolean_1d(1 to 15);  -- _#_all
-    variable slice0other_cost_0_choice : boolean_1d(1 to 14);  -- _#_choice
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
-      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
-      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable slice0winner2_best_below_0_is_equal, slice1winner2_best_below_0_is_equal,
-      slice2winner2_best_below_0_is_equal, slice3winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- _#_is_equal
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
-      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable slice0winner3_best_below_0_is_equal, slice0winner3_best_above_0_is_equal,
-      slice1winner3_best_below_0_is_equal, slice1winner3_best_above_0_is_equal, slice2winner3_best_below_0_is_equal,
-      slice2winner3_best_above_0_is_equal, slice3winner3_best_below_0_is_equal,
-      slice3winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
-    variable slice1other_cost_0_any, slice2other_cost_0_any : boolean_1d(0 to 15);  -- _#_any
-    variable slice1other_cost_0_choice, slice2other_cost_0_choice, slice3other_cost_0_choice : boolean_1d(0 to 14);  -- _#_choice
-    variable leftright_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable leftright_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
     variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable transform_left_filter_feature_0_choice_203,
-      transform_right_filter_feature_0_choice_203 : natural range 0 to 511;
+    variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
+    variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 212);
     variable transform_left_filter_feature_0_choice_201, transform_right_filter_feature_0_choice_201,
       refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable transform_left_filter_feature_0_choice_202, transform_right_filter_feature_0_choice_202,
       leftright_address_0_value : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice_203,
+      transform_right_filter_feature_0_choice_203 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_204, transform_right_filter_feature_0_choice_204,
       slice0winner4_best_below_0_0_choice, slice0winner4_best_above_0_0_choice, slice1winner4_best_below_0_0_choice,
       slice1winner4_best_above_0_0_choice, slice1_best_below_0_0_choice, slice1_best_above_0_0_choice,
@@ -820,21 +800,6 @@ begin
       slice2_best_above_0_0_choice, slice3winner4_best_below_0_0_choice, slice3winner4_best_above_0_0_choice,
       slice3_best_below_0_0_choice, slice3_best_above_0_0_choice, refinement_divisor_0_0_choice,
       map_of_column_0_a_choice : natural range 0 to 4095;
-    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
-      slice3window_sum_0_choice : natural_4095_1d(0 to 15);  -- _#_choice
-    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
-      slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice, slice2winner2_best_above_0_choice,
-      slice3winner2_best_below_0_choice, slice3winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- _#_choice
-    variable slice0winner2_best_second_0_choice, slice1winner2_best_second_0_choice,
-      slice2winner2_best_second_0_choice, slice3winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- _#_choice_#
-    variable slice0winner3_best_below_0_choice, slice0winner3_best_above_0_choice, slice1winner3_best_below_0_choice,
-      slice1winner3_best_above_0_choice, slice2winner3_best_below_0_choice, slice2winner3_best_above_0_choice,
-      slice3winner3_best_below_0_choice, slice3winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- _#_choice
-    variable slice0winner3_best_second_0_choice, slice1winner3_best_second_0_choice,
-      slice2winner3_best_second_0_choice, slice3winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- _#_choice_#
-    variable slice0winner4_best_second_0_0_choices, slice1winner4_best_second_0_0_choices,
-      slice1_best_second_0_0_choices, slice2winner4_best_second_0_0_choices, slice2_best_second_0_0_choices,
-      slice3winner4_best_second_0_0_choices, slice3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- _choice_#
     variable transform_left_filter_feature_0_choice_213,
       transform_right_filter_feature_0_choice_213 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_214,
@@ -843,21 +808,56 @@ begin
       transform_right_filter_feature_0_choice_215 : natural range 0 to 1048575;
     variable transform_left_filter_feature_0_choice_216,
       transform_right_filter_feature_0_choice_216 : natural range 0 to 8388607;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable slice0cost_column_0_choice, slice1cost_column_0_choice, slice2cost_column_0_choice,
       slice3cost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- _#_choice_#
     variable slice0window_change_0_choice, slice1window_change_0_choice, slice2window_change_0_choice,
       slice3window_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
-    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable slice0window_sum_0_choice, slice1window_sum_0_choice, slice2window_sum_0_choice,
+      slice3window_sum_0_choice : natural_4095_1d(0 to 15);  -- _#_choice
+    variable slice0other_cost_0_all : boolean_1d(1 to 15);  -- _#_all
+    variable slice0other_cost_0_choice : boolean_1d(1 to 14);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less, slice2winner1_best_cost_0_is_less,
+      slice3winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less, slice2winner2_best_cost_0_is_less,
+      slice3winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable slice0winner2_best_below_0_is_equal, slice1winner2_best_below_0_is_equal,
+      slice2winner2_best_below_0_is_equal, slice3winner2_best_below_0_is_equal : boolean_1d(0 to 3);  -- _#_is_equal
+    variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
+      slice1winner2_best_above_0_choice, slice2winner2_best_below_0_choice, slice2winner2_best_above_0_choice,
+      slice3winner2_best_below_0_choice, slice3winner2_best_above_0_choice : natural_4095_1d(0 to 3);  -- _#_choice
+    variable slice0winner2_best_second_0_choice, slice1winner2_best_second_0_choice,
+      slice2winner2_best_second_0_choice, slice3winner2_best_second_0_choice : natural_4095_2d(0 to 3, 1 to 4);  -- _#_choice_#
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less, slice2winner3_best_cost_0_is_less,
+      slice3winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
+    variable slice0winner3_best_below_0_is_equal, slice0winner3_best_above_0_is_equal,
+      slice1winner3_best_below_0_is_equal, slice1winner3_best_above_0_is_equal, slice2winner3_best_below_0_is_equal,
+      slice2winner3_best_above_0_is_equal, slice3winner3_best_below_0_is_equal,
+      slice3winner3_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
+    variable slice0winner3_best_below_0_choice, slice0winner3_best_above_0_choice, slice1winner3_best_below_0_choice,
+      slice1winner3_best_above_0_choice, slice2winner3_best_below_0_choice, slice2winner3_best_above_0_choice,
+      slice3winner3_best_below_0_choice, slice3winner3_best_above_0_choice : natural_4095_1d(0 to 1);  -- _#_choice
+    variable slice0winner3_best_second_0_choice, slice1winner3_best_second_0_choice,
+      slice2winner3_best_second_0_choice, slice3winner3_best_second_0_choice : natural_4095_2d(0 to 1, 1 to 4);  -- _#_choice_#
+    variable slice0winner4_best_second_0_0_choices, slice1winner4_best_second_0_0_choices,
+      slice1_best_second_0_0_choices, slice2winner4_best_second_0_0_choices, slice2_best_second_0_0_choices,
+      slice3winner4_best_second_0_0_choices, slice3_best_second_0_0_choices : natural_4095_1d(1 to 4);  -- _choice_#
+    variable slice1other_cost_0_any, slice2other_cost_0_any : boolean_1d(0 to 15);  -- _#_any
+    variable slice1other_cost_0_choice, slice2other_cost_0_choice, slice3other_cost_0_choice : boolean_1d(0 to 14);  -- _#_choice
     variable refinement_remainder_1_0_difference : natural range 4097 to 12287;
     variable refinement_remainder_0_difference : natural_4097_to_16382_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable leftright_checked_passed_0_difference : integer range -62 to 64;
+    variable leftright_checked_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable leftright_checked_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
     variable map_of_column_0_c_choice, map_low_0_0_choice, map_middle_0_0_choice,
       map_high_0_0_choice : natural range 0 to 32767;
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

@@ -408,12 +408,12 @@ begin
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner4_best_cost_0_0_is_less,
       slice0winner5_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less,
       slice1winner5_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable slice0cost_column_0_choice, slice1cost_column_0_choice : natural_4095_2d(0 to 16, 1 to 2);  -- _#_choice_#
     variable slice0window_change_0_choice, slice1window_change_0_choice : natural_4095_1d(0 to 16);  -- _#_choice
     variable slice0window_sum_0_choice, slice1window_sum_0_choice : natural_32767_1d(0 to 16);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable slice0winner3_best_cost_0_is_less, slice1winner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
   begin
     wait until rising_edge(clock);
     -- raster

@@ -1283,6 +1283,14 @@ begin
       highwinner4_best_cost_0_0_is_less, choice_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
     variable coarse_pixels_column_is_equals, coarsetransform_counter_group_is_equals,
       transform_counter_group_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable coarse_pixels_column_choices, coarse_pixels_part_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable coarse_pixels_row_choices : natural_3_1d(1 to 2);  -- _choice_#
+    variable coarse_pixels_repetition_choice, coarse_pixels_left_sum_choice, coarse_pixels_right_sum_choice,
+      targets_pause_choice : natural range 0 to 65535;
+    variable coarse_pixels_total_choice : natural range 0 to 16777215;
+    variable coarsetransform_counter_group_choice, coarseraster_place_group_choice,
+      transform_counter_group_choice : natural range 0 to 15;
+    variable coarsetransform_counter_group_choices, coarseraster_place_group_choices : natural_127_1d(3 to 4);  -- _choice_#
     variable coarsetransform_counter_next_frame_choices, ranges_column_choices : boolean_1d(1 to 3);  -- _choice_#
     variable coarseraster_place_group_is_equals : boolean_1d(1 to 3);  -- _equal_#
     variable coarseraster_place_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
@@ -1294,91 +1302,83 @@ begin
     variable coarseslice0winner4_best_cost_0_is_less, coarseslice1winner2_best_cost_0_is_less,
       lowwinner3_best_cost_0_is_less, highwinner3_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable coarseslice1other_cost_0_choice : boolean_1d(1 to 6);  -- _#_choice
+    variable coarseleftright_checked_passed_0_difference : integer range -30 to 64;
     variable ranges_column_anys : boolean_1d(1 to 3);  -- _any_#
     variable ranges_column_alls : boolean_1d(1 to 2);  -- _all_#
+    variable ranges_column_choices_from_4 : natural_255_1d(4 to 5);  -- _choice_#
+    variable ranges_row_choice, bases_address_0_choice_2 : natural range 0 to 127;
+    variable ranges_counts_sum : natural range 1 to 32;
+    variable ranges_counts_differences : integer_minus_30_to_32_1d(1 to 4);  -- _difference_#
+    variable ranges_counts_sum_2 : natural range 0 to 4;
     variable ranges_pair_0_values : boolean_1d(1 to 4);  -- _value_#
     variable ranges_pair_0_choices : boolean_1d(1 to 15);  -- _choice_#
+    variable ranges_pair_0_choice_6, targets_column_range_choice_79, lowwinner4_best_below_0_0_choice,
+      lowwinner4_best_above_0_0_choice, highwinner4_best_below_0_0_choice, highwinner4_best_above_0_0_choice,
+      refinement_divisor_0_0_choice : natural range 0 to 2047;
+    variable ranges_pair_0_choices_from_7 : natural_31_1d(7 to 17);  -- _choice_#
+    variable ranges_pair_0_choice_16 : natural range 0 to 63;
     variable ranges_range_values : boolean_1d(1 to 8);  -- _value_#
     variable ranges_range_choices : boolean_1d(1 to 13);  -- _choice_#
+    variable ranges_range_choices_from_7 : natural_31_1d(7 to 14);  -- _choice_#
     variable targets_walked_alls : boolean_1d(1 to 3);  -- _all_#
+    variable targets_walk_place_choices : natural_127_1d(1 to 2);  -- _choice_#
     variable targets_last_row_choices, transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable targets_column_range_values : boolean_1d(1 to 20);  -- _value_#
     variable targets_column_range_alls : boolean_1d(1 to 5);  -- _all_#
     variable targets_column_range_choices : boolean_1d(1 to 75);  -- _choice_#
-    variable targets_around_choices : boolean_1d(1 to 47);  -- _choice_#
-    variable targets_around_values : boolean_1d(1 to 25);  -- _value_#
-    variable targets_around_alls : boolean_1d(1 to 4);  -- _all_#
-    variable bases_rises_all, bases_falls_all : boolean_2d(0 to 1, 0 to 1);  -- _#_#_all
-    variable lowcost_pixels_first_0_value : boolean_2d(0 to 1, 1 to 20);  -- _#_0_value_#
-    variable lowcost_pixels_first_choice, highcost_pixels_first_choice : boolean_3d(0 to 1, 0 to 15, 1 to 12);  -- _#_#_choice_#
-    variable lowcost_pixels_first_1_differs : boolean_2d(0 to 1, 1 to 12);  -- _#_1_differs_#
-    variable lowwinner1_best_cost_0_is_less, highwinner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
-    variable lowwinner2_best_cost_0_is_less, highwinner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
-    variable highchain_lane_0_choice : boolean_1d(0 to 1);  -- _#_0_choice
-    variable coarse_pixels_column_choices, coarse_pixels_part_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable ranges_column_choices_from_4 : natural_255_1d(4 to 5);  -- _choice_#
-    variable lowcost_column_0_choice, highcost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- _#_choice_#
-    variable lowwindow_change_0_choice, highwindow_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
-    variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable coarse_pixels_row_choices : natural_3_1d(1 to 2);  -- _choice_#
-    variable targets_low_choice_2, targets_high_choice_2 : natural range 0 to 3;
-    variable coarse_pixels_repetition_choice, coarse_pixels_left_sum_choice, coarse_pixels_right_sum_choice,
-      targets_pause_choice : natural range 0 to 65535;
-    variable bases_base_choice : natural_65535_3d(0 to 1, 0 to 2, 1 to 2);  -- _#_#_choice_#
-    variable rows_newest_column_choices : natural_65535_1d(1 to 2);  -- _choice_#
-    variable coarse_pixels_total_choice : natural range 0 to 16777215;
-    variable coarsetransform_counter_group_choice, coarseraster_place_group_choice,
-      transform_counter_group_choice : natural range 0 to 15;
-    variable coarsetransform_counter_group_choices, coarseraster_place_group_choices : natural_127_1d(3 to 4);  -- _choice_#
-    variable ranges_row_choice, bases_address_0_choice_2 : natural range 0 to 127;
-    variable targets_walk_place_choices : natural_127_1d(1 to 2);  -- _choice_#
-    variable coarseleftright_checked_passed_0_difference : integer range -30 to 64;
-    variable ranges_counts_sum : natural range 1 to 32;
-    variable ranges_counts_differences : integer_minus_30_to_32_1d(1 to 4);  -- _difference_#
-    variable ranges_counts_sum_2 : natural range 0 to 4;
-    variable ranges_pair_0_choice_6, targets_column_range_choice_79, lowwinner4_best_below_0_0_choice,
-      lowwinner4_best_above_0_0_choice, highwinner4_best_below_0_0_choice, highwinner4_best_above_0_0_choice,
-      refinement_divisor_0_0_choice : natural range 0 to 2047;
-    variable targets_around_choices_from_21 : natural_2047_1d(21 to 22);  -- _choice_#
-    variable rows_newest_row_choices : natural_2047_1d(1 to 4);  -- _choice_#
-    variable rows_enter_row_choices, rows_leave_row_choices : natural_2047_1d(1 to 3);  -- _choice_#
-    variable lowwindow_sum_0_choice, highwindow_sum_0_choice : natural_2047_1d(0 to 15);  -- _#_choice
-    variable lowwinner2_best_below_0_choice, lowwinner2_best_above_0_choice, highwinner2_best_below_0_choice,
-      highwinner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- _#_choice
-    variable lowwinner3_best_below_0_choice, lowwinner3_best_above_0_choice, highwinner3_best_below_0_choice,
-      highwinner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- _#_choice
-    variable ranges_pair_0_choices_from_7 : natural_31_1d(7 to 17);  -- _choice_#
-    variable ranges_range_choices_from_7 : natural_31_1d(7 to 14);  -- _choice_#
-    variable targets_column_range_choices_from_38 : natural_31_1d(38 to 78);  -- _choice_#
-    variable targets_column_range_values_from_21 : natural_31_1d(21 to 22);  -- _value_#
-    variable targets_around_choices_from_23 : natural_31_1d(23 to 49);  -- _choice_#
-    variable rows_address_value_2 : natural_31_1d(0 to 3);  -- _4#_value_2
-    variable ranges_pair_0_choice_16 : natural range 0 to 63;
-    variable targets_around_choices_from_29 : natural_63_1d(29 to 30);  -- _choice_#
-    variable rows_write_word_choices : natural_63_1d(1 to 3);  -- _choice_#
     variable targets_column_range_value_10, targets_around_choice_32, bases_address_0_value,
       bases_address_0_choice : natural range 0 to 1023;
     variable targets_column_range_choices_from_35 : natural_1023_1d(35 to 64);  -- _choice_#
+    variable targets_column_range_choices_from_38 : natural_31_1d(38 to 78);  -- _choice_#
+    variable targets_column_range_values_from_21 : natural_31_1d(21 to 22);  -- _value_#
+    variable targets_around_choices : boolean_1d(1 to 47);  -- _choice_#
+    variable targets_around_values : boolean_1d(1 to 25);  -- _value_#
+    variable targets_around_alls : boolean_1d(1 to 4);  -- _all_#
+    variable targets_around_choices_from_21 : natural_2047_1d(21 to 22);  -- _choice_#
+    variable targets_around_choices_from_23 : natural_31_1d(23 to 49);  -- _choice_#
+    variable targets_around_choices_from_29 : natural_63_1d(29 to 30);  -- _choice_#
     variable targets_low_wish_value, targets_high_wish_value : natural range 0 to 124;
     variable targets_low_wish_choices, targets_high_wish_choices : natural_124_1d(1 to 2);  -- _choice_#
     variable targets_low_choices, targets_high_choices : natural_32767_1d(1 to 5);  -- _choice_#
+    variable targets_low_choice_2, targets_high_choice_2 : natural range 0 to 3;
     variable targets_low_sum : natural range 0 to 32767;
     variable transform_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_centre_column_choice : natural range 159 to 255;
     variable bases_address_0_value_2 : natural range 0 to 1008;
     variable bases_goal_0_value : natural_254_1d(0 to 2);  -- _#_value
     variable bases_rises_sum : natural_3_to_65538_2d(0 to 1, 0 to 1);  -- _#_#_sum
+    variable bases_rises_all, bases_falls_all : boolean_2d(0 to 1, 0 to 1);  -- _#_#_all
+    variable bases_base_choice : natural_65535_3d(0 to 1, 0 to 2, 1 to 2);  -- _#_#_choice_#
     variable bases_base_2_sum : natural_3_to_65538_1d(0 to 1);  -- _#_2_sum
     variable rows_last_3_sum : natural range 0 to 4095;
-    variable rows_codes_choice : natural_4095_4d(0 to 1, 0 to 1, 0 to 2, 1 to 2);  -- _#_#_#_choice_#
     variable rows_newest_column_sum : natural range 1 to 65536;
+    variable rows_newest_column_choices : natural_65535_1d(1 to 2);  -- _choice_#
     variable rows_newest_row_sum : natural range 5 to 2052;
+    variable rows_newest_row_choices : natural_2047_1d(1 to 4);  -- _choice_#
+    variable rows_enter_row_choices, rows_leave_row_choices : natural_2047_1d(1 to 3);  -- _choice_#
     variable rows_position_sum : natural_9214_2d(0 to 1, 0 to 1);  -- _#_#_sum
     variable rows_address_value : natural_2016_1d(0 to 3);  -- _4#_value
+    variable rows_address_value_2 : natural_31_1d(0 to 3);  -- _4#_value_2
+    variable rows_codes_choice : natural_4095_4d(0 to 1, 0 to 1, 0 to 2, 1 to 2);  -- _#_#_#_choice_#
+    variable rows_write_word_choices : natural_63_1d(1 to 3);  -- _choice_#
+    variable lowcost_pixels_first_0_value : boolean_2d(0 to 1, 1 to 20);  -- _#_0_value_#
+    variable lowcost_pixels_first_choice, highcost_pixels_first_choice : boolean_3d(0 to 1, 0 to 15, 1 to 12);  -- _#_#_choice_#
+    variable lowcost_pixels_first_1_differs : boolean_2d(0 to 1, 1 to 12);  -- _#_1_differs_#
+    variable lowcost_column_0_choice, highcost_column_0_choice : natural_255_2d(0 to 15, 1 to 2);  -- _#_choice_#
+    variable lowwindow_change_0_choice, highwindow_change_0_choice : natural_255_1d(0 to 15);  -- _#_choice
+    variable lowwindow_sum_0_choice, highwindow_sum_0_choice : natural_2047_1d(0 to 15);  -- _#_choice
+    variable lowwinner1_best_cost_0_is_less, highwinner1_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
+    variable lowwinner2_best_cost_0_is_less, highwinner2_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
+    variable lowwinner2_best_below_0_choice, lowwinner2_best_above_0_choice, highwinner2_best_below_0_choice,
+      highwinner2_best_above_0_choice : natural_2047_1d(0 to 3);  -- _#_choice
+    variable lowwinner3_best_below_0_choice, lowwinner3_best_above_0_choice, highwinner3_best_below_0_choice,
+      highwinner3_best_above_0_choice : natural_2047_1d(0 to 1);  -- _#_choice
+    variable highchain_lane_0_choice : boolean_1d(0 to 1);  -- _#_0_choice
     variable refinement_remainder_1_0_difference : natural range 2049 to 6143;
     variable refinement_remainder_0_difference : natural_2049_to_8190_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable other_29_choice : natural range 95 to 127;
   begin

@@ -571,16 +571,15 @@ begin
       delay_tag_first_cost_is_equal, slice0winner3_best_cost_0_0_is_less, slice0winner4_best_cost_0_0_is_less,
       slice1winner3_best_cost_0_0_is_less, slice1winner4_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
       refinement_divisor_0_0_is_less : boolean;
-    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
-    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable transform_counter_group_choice : natural range 0 to 15;
     variable transform_counter_group_choices : natural_255_1d(3 to 4);  -- _choice_#
+    variable transform_centre_column_choice : natural range 79 to 127;
+    variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable slice0cost_column_0_choice, slice1cost_column_0_choice : natural_255_2d(0 to 11, 1 to 2);  -- _#_choice_#
     variable slice0window_change_0_choice, slice1window_change_0_choice : natural_255_1d(0 to 11);  -- _#_choice
-    variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable transform_centre_column_choice : natural range 79 to 127;
     variable slice0window_sum_0_choice, slice1window_sum_0_choice : natural_2047_1d(0 to 11);  -- _#_choice
+    variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
+    variable slice0winner2_best_cost_0_is_less, slice1winner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable slice0winner2_best_below_0_choice, slice0winner2_best_above_0_choice, slice1winner2_best_below_0_choice,
       slice1winner2_best_above_0_choice : natural_2047_1d(0 to 2);  -- _#_choice
     variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice,
@@ -592,6 +591,7 @@ begin
     variable refinement_remainder_0_difference : natural_2049_to_8190_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
   begin
     wait until rising_edge(clock);

@@ -483,15 +483,15 @@ begin
       delay_row_inside_2_is_less, slice0winner2_best_cost_0_0_is_less, slice0winner3_best_cost_0_0_is_less,
       slice1winner2_best_cost_0_0_is_less, slice1winner3_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less,
       refinement_divisor_0_0_is_less : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 9;
+    variable transform_counter_group_choices : natural_31_1d(3 to 4);  -- _choice_#
+    variable transform_centre_column_choice : natural range 9 to 15;
     variable transform_from_first_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
     variable transform_from_first_value : boolean_1d(0 to 1);  -- _#_value
     variable transform_from_first_1_choices, transform_up_to_last_0_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable raster_place_group_choices : natural_31_1d(2 to 3);  -- _choice_#
     variable raster_place_next_frame_choices : boolean_1d(1 to 3);  -- _choice_#
     variable slice0winner1_best_cost_0_is_less, slice1winner1_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 9;
-    variable transform_counter_group_choices : natural_31_1d(3 to 4);  -- _choice_#
-    variable raster_place_group_choices : natural_31_1d(2 to 3);  -- _choice_#
-    variable transform_centre_column_choice : natural range 9 to 15;
     variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice,
       slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice, slice1winner2_best_below_0_0_choice,
       slice1winner2_best_above_0_0_choice, slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice,

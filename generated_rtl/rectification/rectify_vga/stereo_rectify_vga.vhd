@@ -479,14 +479,10 @@ begin
       righttaps_taps_row_is_less, righttaps_taps_row_all : boolean;
     variable counter_next_frame_is_equals, sample_place_next_frame_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable counter_next_frame_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable sample_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable lefttaps_taps_row_values, righttaps_taps_row_values : boolean_1d(1 to 5);  -- _value_#
-    variable lefttaps_taps_row_choices : boolean_1d(1 to 5);  -- _choice_#
-    variable righttaps_taps_row_choices : boolean_1d(1 to 10);  -- _choice_#
     variable counter_group_choice, sample_place_group_choice : natural range 0 to 15;
     variable counter_group_choices, sample_place_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 511;
     variable grid_node_row_sum : natural range 495 to 1006;
+    variable grid_node_row_choice, leftoffsets_nodes_even_even_write_address_value : natural range 0 to 511;
     variable leftoffsets_x_left_from_choices, leftoffsets_x_right_from_choices, rightoffsets_x_left_from_choices,
       rightoffsets_x_right_from_choices : natural_65535_1d(1 to 3);  -- _choice_#
     variable leftoffsets_x_left_difference_choice, leftoffsets_x_right_difference_choice,
@@ -496,9 +492,13 @@ begin
     variable leftoffsets_y_left_difference_choice, leftoffsets_y_right_difference_choice,
       rightoffsets_y_left_difference_choice, rightoffsets_y_right_difference_choice : unsigned(31 downto 0);
     variable sample_place_column_sum : natural range 1 to 1024;
+    variable sample_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable lefttaps_taps_row_difference, righttaps_taps_row_difference : integer range -1518 to 529;
+    variable lefttaps_taps_row_values, righttaps_taps_row_values : boolean_1d(1 to 5);  -- _value_#
+    variable lefttaps_taps_row_choices : boolean_1d(1 to 5);  -- _choice_#
     variable lefttaps_taps_row_sum : natural range 0 to 63;
     variable lefttaps_taps_row_choices_from_6 : natural_63_1d(6 to 7);  -- _choice_#
+    variable righttaps_taps_row_choices : boolean_1d(1 to 10);  -- _choice_#
     variable righttaps_taps_row_choices_from_11 : natural_63_1d(11 to 12);  -- _choice_#
     variable leftsampler_shown_held_0_choice, rightsampler_shown_held_0_choice : natural range 0 to 3;
     variable leftsampler_pixel_left_from_choices, leftsampler_pixel_right_from_choices,

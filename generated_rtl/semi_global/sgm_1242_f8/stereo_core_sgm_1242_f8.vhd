@@ -912,14 +912,16 @@ begin
       pathsleft_stay_0_is_equal, pathsleft_cost_0_any, pathsabove_count_phase_is_equal, pathsright_stay_0_is_equal,
       winnerswinner4_best_index_0_0_choice_8, turn_order_falls_all, turn_order_complete_all,
       turn_ready_tag_row_start_differs, map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value,
-      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_choice_7,
-      map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_7,
-      map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal,
+      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_is_equal,
+      map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_7,
+      map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_7,
       map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_choice_7,
-      map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value,
-      map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_choice_7,
-      map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_7,
+      map_of_high_0_b_below_a_is_equal, map_of_high_0_b_below_a_choice_7, map_of_high_0_c_below_a_value,
+      map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_is_equal,
+      map_of_all_0_b_below_a_choice_7, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_7,
       map_of_all_0_c_below_b_choice_7 : boolean;
+    variable transform_counter_group_after_choice, raster_place_group_after_choice,
+      winners_best_cost_0_0_choice : natural range 0 to 511;
     variable transform_left_filter_low_is_larger_0_value,
       transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- _2#_2#_value_#
     variable transform_left_filter_low_is_larger_0_choice_3,
@@ -929,37 +931,6 @@ begin
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- _all_#
-    variable pathsleft_stay_value, pathsright_stay_value : boolean_2d(0 to 15, 1 to 10);  -- _#_value_#
-    variable pathsleft_stay_choice, pathsright_stay_choice : boolean_2d(0 to 15, 7 to 15);  -- _#_choice_#
-    variable pathsabove_memory_ready_words_0_is_equals, pathsturn_sum_memory_ready_words_0_is_equals,
-      pathsturn_cost_memory_ready_words_0_is_equals, turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
-    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 8);  -- _#_is_less
-    variable pathsabove_memory_write_words_0_choice_3 : boolean_1d(1 to 6);  -- _#_choice_3
-    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
-      pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- _#_0_all
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 7, 1 to 8);  -- _#_choice_#
-    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 7, 1 to 12);  -- _#_value_#
-    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 3);  -- _#_choice_8
-    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- _#_value_#
-    variable winnerswinner3_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
-    variable winnerswinner3_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
-    variable winnerswinner4_best_index_0_0_values, relief_newest_values : boolean_1d(1 to 5);  -- _value_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- _value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- _choice_#
-    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- _value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- _choice_#
-    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- _choice_#
-    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
-      map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- _value_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable relief_newest_choice : boolean_1d(7 to 16);
-    variable transform_counter_group_after_choice, raster_place_group_after_choice,
-      winners_best_cost_0_0_choice : natural range 0 to 511;
-    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_counter_group_choice, raster_place_group_choice,
       map_counter_group_choice : natural range 0 to 375;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 2047;
@@ -969,47 +940,76 @@ begin
       pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice,
       pathsabove_write_address_count_phase_choice, pathsturn_read_address_count_phase_choice,
       pathsturn_write_address_count_phase_choice : natural range 0 to 7;
-    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 14);  -- _#_value
-    variable pathsabove_memory_write_words_0_choice : natural_7_1d(0 to 5);  -- _#_choice
-    variable pathsright_stay_change_sum : natural_7_1d(2 to 13);  -- _#_sum
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 2048;
     variable costsmask_column_choice, pathsabove_memory_read_address_2_choice,
       winnersmask_column_choice : natural range 0 to 2047;
     variable costsmask_partner_choice, winnersmask_partner_choice : natural range 0 to 2048;
     variable paths_smallest_cost_choice : natural range 0 to 21;
+    variable pathsleft_stay_value, pathsright_stay_value : boolean_2d(0 to 15, 1 to 10);  -- _#_value_#
+    variable pathsleft_stay_choice, pathsright_stay_choice : boolean_2d(0 to 15, 7 to 15);  -- _#_choice_#
     variable pathsleft_stay_choice_16, pathsright_stay_choice_16 : natural_127_1d(0 to 15);  -- _#_choice_16
     variable pathsleft_stay_values, pathsright_stay_values : natural_127_2d(1 to 14, 3 to 4);  -- _#_value_#
     variable pathsleft_step_choice, pathsright_step_choice : natural_127_2d(0 to 15, 1 to 2);  -- _#_choice_#
+    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 14);  -- _#_value
     variable pathsleft_low_0_choice, pathsright_low_0_choice : natural range 0 to 127;
     variable pathsleft_q_choices, pathsright_q_choices : natural_63_1d(1 to 2);  -- _choice_#
     variable pathsleft_room_left_choice, pathsabove_smallest_total_choice, pathsright_room_left_choice,
       relief_newest_choice_17 : natural range 0 to 63;
-    variable pathsabove_beside_choice : natural_63_1d(0 to 15);  -- _#_choice
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 16384;
     variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2,
       pathsturn_cost_memory_read_address_0_sum : natural range 0 to 16384;
     variable pathsabove_memory_bank_choices : natural_16383_1d(1 to 2);  -- _choice_#
-    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 16383;
+    variable pathsabove_memory_ready_words_0_is_equals, pathsturn_sum_memory_ready_words_0_is_equals,
+      pathsturn_cost_memory_ready_words_0_is_equals, turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable pathsabove_memory_ready_words_choice : natural_255_1d(0 to 9);  -- _#_choice
-    variable pathsabove_memory_write_words_0_sum : natural_255_1d(0 to 9);  -- _#_sum
-    variable pathsturn_sum_memory_ready_words_choice : natural_255_1d(0 to 13);  -- _#_choice
-    variable pathsturn_cost_memory_ready_words_choice : natural_255_1d(0 to 5);  -- _#_choice
-    variable pathsturn_sum_memory_write_words_0_sum : natural_255_2d(0 to 13, 1 to 2);  -- _#_sum_#
-    variable pathsturn_cost_memory_write_words_0_sum : natural_255_1d(0 to 5);  -- _#_sum
-    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 7, 1 to 2);  -- _#_any_#
-    variable winners_best_cost_0_0_choice_2, map_low_0_0_choice, map_middle_0_0_choice,
-      map_high_0_0_choice : natural range 0 to 255;
-    variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
-      map_largest_low_0_choices, map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- _choice_#
-    variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- _value_#
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
     variable pathsabove_total_choice : natural_31_1d(0 to 15);  -- _#_choice
+    variable pathsabove_beside_choice : natural_63_1d(0 to 15);  -- _#_choice
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 16383;
+    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 8);  -- _#_is_less
+    variable pathsabove_memory_write_words_0_choice : natural_7_1d(0 to 5);  -- _#_choice
     variable pathsabove_memory_write_words_0_choices : natural_31_2d(0 to 9, 1 to 2);  -- _#_choice_#
+    variable pathsabove_memory_write_words_0_sum : natural_255_1d(0 to 9);  -- _#_sum
+    variable pathsabove_memory_write_words_0_choice_3 : boolean_1d(1 to 6);  -- _#_choice_3
     variable pathsabove_memory_write_words_0_choice_2 : natural_15_1d(2 to 7);  -- _#_choice_2
     variable pathsabove_memory_write_words_0_choice_3s : natural_3_1d(3 to 8);  -- _#_choice_3
-    variable pathsturn_sum_memory_write_words_0_sums : natural_190_1d(0 to 12);  -- _#_sum
+    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
+      pathsturn_cost_memory_write_words_0_all : boolean_1d(0 to 2);  -- _#_0_all
+    variable pathsturn_sum_memory_ready_words_choice : natural_255_1d(0 to 13);  -- _#_choice
+    variable pathsturn_cost_memory_ready_words_choice : natural_255_1d(0 to 5);  -- _#_choice
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 12);  -- _#_sum
+    variable pathsturn_sum_memory_write_words_0_sums : natural_255_2d(0 to 13, 1 to 2);  -- _#_sum_#
+    variable pathsturn_cost_memory_write_words_0_sum : natural_255_1d(0 to 5);  -- _#_sum
+    variable pathsright_stay_change_sum : natural_7_1d(2 to 13);  -- _#_sum
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 7, 1 to 2);  -- _#_sum_#
+    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 7, 1 to 2);  -- _#_any_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 7, 1 to 8);  -- _#_choice_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 7, 1 to 12);  -- _#_value_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- _#_value_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 3);  -- _#_choice_8
+    variable winnerswinner3_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
+    variable winnerswinner3_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
+    variable winnerswinner4_best_index_0_0_values, relief_newest_values : boolean_1d(1 to 5);  -- _value_#
+    variable winners_best_cost_0_0_choice_2, map_low_0_0_choice, map_middle_0_0_choice,
+      map_high_0_0_choice : natural range 0 to 255;
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- _value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- _choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- _value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- _choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- _choice_#
+    variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
+      map_largest_low_0_choices, map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
+      map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- _value_#
+    variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
+    variable relief_newest_choice : boolean_1d(7 to 16);
+    variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- _value_#
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more
@@ -1024,8 +1024,8 @@ begin
     pathsright_stay_change_sum := (others => 0); pathsright_stay_change_value := (others => 0);
     pathsright_stay_choice := (others => (others => false)); pathsright_stay_value := (others => (others => false));
     pathsright_stay_values := (others => (others => 0)); pathsright_step_choice := (others => (others => 0));
-    pathsturn_sum_memory_write_words_0_sum := (others => (others => 0));
-    pathsturn_sum_memory_write_words_0_sums := (others => 0);
+    pathsturn_sum_memory_write_words_0_sum := (others => 0);
+    pathsturn_sum_memory_write_words_0_sums := (others => (others => 0));
     transform_left_filter_feature_0_choice := (others => false);
     transform_left_filter_low_is_larger_0_choice_3 := (others => (others => false));
     transform_left_filter_low_is_larger_0_value := (others => (others => (others => false)));
@@ -2139,25 +2139,25 @@ begin
     pathsturn_write_address_count_phase <= choice(line_starts_phases(20), 0,
       pathsturn_write_address_count_phase_choice);
     for i in 0 to 1 loop
-      pathsturn_sum_memory_write_words_0_sums(7 * i) := pathsleft_cost(8 * i + 1) + pathsabove_cost(8 * i + 1);
-      pathsturn_sum_memory_write_words_0_sum(7 * i, 2) := ((pathsleft_cost(8 * i) + pathsabove_cost(8 * i)) mod 128) +
-        ((pathsturn_sum_memory_write_words_0_sums(7 * i) mod 2) * 128);
-      pathsturn_sum_memory_write_words_0_sums(7 * i + 1) := pathsleft_cost(8 * i + 2) + pathsabove_cost(8 * i + 2);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 1, 2) := ((pathsturn_sum_memory_write_words_0_sums(7 * i) mod 128)
-        / 2) + ((pathsturn_sum_memory_write_words_0_sums(7 * i + 1) mod 4) * 64);
-      pathsturn_sum_memory_write_words_0_sums(7 * i + 2) := pathsleft_cost(8 * i + 3) + pathsabove_cost(8 * i + 3);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 2, 2) := ((pathsturn_sum_memory_write_words_0_sums(7 * i + 1) mod
-        128) / 4) + ((pathsturn_sum_memory_write_words_0_sums(7 * i + 2) mod 8) * 32);
-      pathsturn_sum_memory_write_words_0_sums(7 * i + 3) := pathsleft_cost(8 * i + 4) + pathsabove_cost(8 * i + 4);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 3, 2) := ((pathsturn_sum_memory_write_words_0_sums(7 * i + 2) mod
-        128) / 8) + ((pathsturn_sum_memory_write_words_0_sums(7 * i + 3) mod 16) * 16);
-      pathsturn_sum_memory_write_words_0_sums(7 * i + 4) := pathsleft_cost(8 * i + 5) + pathsabove_cost(8 * i + 5);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 4, 2) := ((pathsturn_sum_memory_write_words_0_sums(7 * i + 3) mod
-        128) / 16) + ((pathsturn_sum_memory_write_words_0_sums(7 * i + 4) mod 32) * 8);
-      pathsturn_sum_memory_write_words_0_sums(7 * i + 5) := pathsleft_cost(8 * i + 6) + pathsabove_cost(8 * i + 6);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 5, 2) := ((pathsturn_sum_memory_write_words_0_sums(7 * i + 4) mod
-        128) / 32) + ((pathsturn_sum_memory_write_words_0_sums(7 * i + 5) mod 64) * 4);
-      pathsturn_sum_memory_write_words_0_sum(7 * i + 6, 1) := ((pathsturn_sum_memory_write_words_0_sums(7 * i + 5) mod
+      pathsturn_sum_memory_write_words_0_sum(7 * i) := pathsleft_cost(8 * i + 1) + pathsabove_cost(8 * i + 1);
+      pathsturn_sum_memory_write_words_0_sums(7 * i, 2) := ((pathsleft_cost(8 * i) + pathsabove_cost(8 * i)) mod 128) +
+        ((pathsturn_sum_memory_write_words_0_sum(7 * i) mod 2) * 128);
+      pathsturn_sum_memory_write_words_0_sum(7 * i + 1) := pathsleft_cost(8 * i + 2) + pathsabove_cost(8 * i + 2);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 1, 2) := ((pathsturn_sum_memory_write_words_0_sum(7 * i) mod 128)
+        / 2) + ((pathsturn_sum_memory_write_words_0_sum(7 * i + 1) mod 4) * 64);
+      pathsturn_sum_memory_write_words_0_sum(7 * i + 2) := pathsleft_cost(8 * i + 3) + pathsabove_cost(8 * i + 3);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 2, 2) := ((pathsturn_sum_memory_write_words_0_sum(7 * i + 1) mod
+        128) / 4) + ((pathsturn_sum_memory_write_words_0_sum(7 * i + 2) mod 8) * 32);
+      pathsturn_sum_memory_write_words_0_sum(7 * i + 3) := pathsleft_cost(8 * i + 4) + pathsabove_cost(8 * i + 4);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 3, 2) := ((pathsturn_sum_memory_write_words_0_sum(7 * i + 2) mod
+        128) / 8) + ((pathsturn_sum_memory_write_words_0_sum(7 * i + 3) mod 16) * 16);
+      pathsturn_sum_memory_write_words_0_sum(7 * i + 4) := pathsleft_cost(8 * i + 5) + pathsabove_cost(8 * i + 5);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 4, 2) := ((pathsturn_sum_memory_write_words_0_sum(7 * i + 3) mod
+        128) / 16) + ((pathsturn_sum_memory_write_words_0_sum(7 * i + 4) mod 32) * 8);
+      pathsturn_sum_memory_write_words_0_sum(7 * i + 5) := pathsleft_cost(8 * i + 6) + pathsabove_cost(8 * i + 6);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 5, 2) := ((pathsturn_sum_memory_write_words_0_sum(7 * i + 4) mod
+        128) / 32) + ((pathsturn_sum_memory_write_words_0_sum(7 * i + 5) mod 64) * 4);
+      pathsturn_sum_memory_write_words_0_sums(7 * i + 6, 1) := ((pathsturn_sum_memory_write_words_0_sum(7 * i + 5) mod
         128) / 64) + (((pathsleft_cost(8 * i + 7) + pathsabove_cost(8 * i + 7)) mod 128) * 2);
     end loop;
     pathsturn_sum_memory_write_words_0_all(0) := (pathsturn_sum_write_address(1) < 4096) and pathsturn_writes_sums(1);
@@ -2165,9 +2165,9 @@ begin
       if pathsturn_sum_memory_write_words_0_all(i) then
         for j in 0 to 1 loop
           for k in 0 to 5 loop
-            pathsturn_sum_memory_write_words(i, 7 * j + k) <= pathsturn_sum_memory_write_words_0_sum(7 * j + k, 2);
+            pathsturn_sum_memory_write_words(i, 7 * j + k) <= pathsturn_sum_memory_write_words_0_sums(7 * j + k, 2);
           end loop;
-          pathsturn_sum_memory_write_words(i, 7 * j + 6) <= pathsturn_sum_memory_write_words_0_sum(7 * j + 6, 1);
+          pathsturn_sum_memory_write_words(i, 7 * j + 6) <= pathsturn_sum_memory_write_words_0_sums(7 * j + 6, 1);
         end loop;
         pathsturn_sum_memory_write_address(i) <= pathsturn_sum_write_address(1) mod 4096;
       end if;
@@ -2177,9 +2177,9 @@ begin
     if pathsturn_sum_memory_write_words_0_all(2) then
       for i in 0 to 1 loop
         for j in 0 to 5 loop
-          pathsturn_sum_memory_write_words(2, 7 * i + j) <= pathsturn_sum_memory_write_words_0_sum(7 * i + j, 2);
+          pathsturn_sum_memory_write_words(2, 7 * i + j) <= pathsturn_sum_memory_write_words_0_sums(7 * i + j, 2);
         end loop;
-        pathsturn_sum_memory_write_words(2, 7 * i + 6) <= pathsturn_sum_memory_write_words_0_sum(7 * i + 6, 1);
+        pathsturn_sum_memory_write_words(2, 7 * i + 6) <= pathsturn_sum_memory_write_words_0_sums(7 * i + 6, 1);
       end loop;
       pathsturn_sum_memory_write_address_2 <= pathsturn_sum_write_address(1) mod 2048;
     end if;

@@ -734,31 +734,60 @@ begin
       forward_left_start_cost_0_is_less, sums_right_start_cost_0_any, sums_right_start_cost_0_choice_6,
       sums_right_start_cost_0_is_less, sums_turn_writes_copy_0_choice, turn_order_falls_all, turn_order_complete_all,
       turn_ready_tag_row_start_differs, map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value,
-      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_choice_5,
-      map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_5,
-      map_of_low_0_c_below_b_choice_5, map_of_middle_0_b_below_a_choice_5, map_of_middle_0_b_below_a_is_equal,
+      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_is_equal,
+      map_of_low_0_b_below_a_choice_5, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_5,
+      map_of_low_0_c_below_b_choice_5, map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_5,
       map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_5, map_of_middle_0_c_below_b_choice_5,
-      map_of_high_0_b_below_a_choice_5, map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value,
-      map_of_high_0_c_below_a_choice_5, map_of_high_0_c_below_b_choice_5, map_of_all_0_b_below_a_choice_5,
-      map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_5,
+      map_of_high_0_b_below_a_is_equal, map_of_high_0_b_below_a_choice_5, map_of_high_0_c_below_a_value,
+      map_of_high_0_c_below_a_choice_5, map_of_high_0_c_below_b_choice_5, map_of_all_0_b_below_a_is_equal,
+      map_of_all_0_b_below_a_choice_5, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_5,
       map_of_all_0_c_below_b_choice_5 : boolean;
-    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
+    variable transform_counter_group_choice, raster_place_group_choice,
+      map_counter_group_choice : natural range 0 to 375;
+    variable transform_counter_group_choices, raster_place_group_choices,
+      map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values,
       map_of_column_0_c_below_a_values, relief_newest_values : boolean_1d(1 to 5);  -- _value_#
+    variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
+    variable transform_left_filter_feature_0_choice_17,
+      transform_right_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_left_filter_feature_0_alls, transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(8 to 125);
     variable transform_counter_next_frame_choices, raster_place_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 511;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 193;
+    variable forward_left_pair_choice, sums_right_pair_choice : natural_127_1d(0 to 31);  -- _#_choice
     variable forward_left_start_cost_0_values, sums_right_start_cost_0_values : boolean_1d(1 to 3);  -- _value_#
-    variable winnerswinner1_of_pair_0_choice_8 : boolean_1d(0 to 31);  -- _2#_choice_8
+    variable forward_left_start_cost_0_choice, sums_right_start_cost_0_choice : natural_63_1d(7 to 9);
+    variable forward_left_room_value, forward_left_smallest_choice, forward_left_relief_pairs_0_choice,
+      forward_left_relief_older_choice, forward_left_relief_recent_choice, forward_left_relief_largest_choice,
+      sums_right_room_value, sums_right_smallest_choice, sums_right_relief_pairs_0_choice,
+      sums_right_relief_older_choice, sums_right_relief_recent_choice, sums_right_relief_largest_choice,
+      map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice, relief_newest_choice_17 : natural range 0 to 63;
+    variable forward_left_room_choices, sums_right_room_choices : natural_63_1d(1 to 3);  -- _choice_#
+    variable forward_left_smallest_difference : integer range -63 to 78;
+    variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice,
+      sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
+    variable forward_left_relief_reach_of_best_choices,
+      sums_right_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- _choice_#
+    variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
+    variable forward_left_g_copy_0_value, forward_left_g_less_copy_0_value, sums_right_g_copy_0_value,
+      sums_right_g_less_copy_0_value : natural range 0 to 127;
+    variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
+      sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- _#_choice_#
+    variable forward_above_total_choice : natural_31_1d(0 to 63);  -- _#_choice
+    variable forward_above_write_words_choice : natural_68_2d(0 to 10, 1 to 6);  -- _#_choice_#
+    variable sums_right_smallest_difference : integer range -63 to 63;
     variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 31, 1 to 5);  -- _2#_value_#
+    variable winnerswinner1_of_pair_0_choice_8 : boolean_1d(0 to 31);  -- _2#_choice_8
     variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 15, 1 to 8);  -- _4#_choice_#
     variable winnerswinner1_of_four_0_value : boolean_2d(0 to 15, 1 to 12);  -- _4#_value_#
-    variable winnerswinner2_of_pair_0_choice_8 : boolean_1d(0 to 7);  -- _2#_choice_8
     variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 7, 1 to 5);  -- _2#_value_#
+    variable winnerswinner2_of_pair_0_choice_8 : boolean_1d(0 to 7);  -- _2#_choice_8
     variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _4#_choice_#
     variable winnerswinner2_of_four_0_value : boolean_2d(0 to 3, 1 to 12);  -- _4#_value_#
-    variable winnerswinner3_of_pair_0_choice_8 : boolean_1d(0 to 2);  -- _#_choice_8
     variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 2, 1 to 5);  -- _#_value_#
+    variable winnerswinner3_of_pair_0_choice_8 : boolean_1d(0 to 2);  -- _#_choice_8
     variable winnerswinner3_four_index_0_0_choices : boolean_1d(1 to 8);  -- _choice_#
     variable winnerswinner3_four_index_0_0_values : boolean_1d(1 to 12);  -- _value_#
     variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
@@ -768,45 +797,16 @@ begin
     variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 7);  -- _choice_#
     variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 14);  -- _choice_#
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 4);  -- _choice_#
-    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
-      map_of_all_0_b_below_a_values : boolean_1d(1 to 7);  -- _value_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable relief_newest_choice : boolean_1d(7 to 16);
-    variable transform_counter_group_choice, raster_place_group_choice,
-      map_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choices, raster_place_group_choices,
-      map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable transform_left_filter_feature_0_choice_17,
-      transform_right_filter_feature_0_choice_17 : natural range 0 to 3;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 511;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 193;
-    variable forward_left_pair_choice, sums_right_pair_choice : natural_127_1d(0 to 31);  -- _#_choice
-    variable forward_left_g_copy_0_value, forward_left_g_less_copy_0_value, sums_right_g_copy_0_value,
-      sums_right_g_less_copy_0_value : natural range 0 to 127;
-    variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
-      sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- _#_choice_#
-    variable forward_left_start_cost_0_choice, sums_right_start_cost_0_choice : natural_63_1d(7 to 9);
-    variable forward_left_room_value, forward_left_smallest_choice, forward_left_relief_pairs_0_choice,
-      forward_left_relief_older_choice, forward_left_relief_recent_choice, forward_left_relief_largest_choice,
-      sums_right_room_value, sums_right_smallest_choice, sums_right_relief_pairs_0_choice,
-      sums_right_relief_older_choice, sums_right_relief_recent_choice, sums_right_relief_largest_choice,
-      map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice, relief_newest_choice_17 : natural range 0 to 63;
-    variable forward_left_room_choices, sums_right_room_choices : natural_63_1d(1 to 3);  -- _choice_#
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_63_1d(1 to 2);  -- _choice_#
+    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
+      map_of_all_0_b_below_a_values : boolean_1d(1 to 7);  -- _value_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_63_1d(1 to 4);  -- _choice_#
-    variable forward_left_smallest_difference : integer range -63 to 78;
-    variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice,
-      sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
-    variable other_choice_4 : natural_190_1d(0 to 15);  -- _#_choice_4
-    variable forward_left_relief_reach_of_best_choices,
-      sums_right_relief_reach_of_best_choices : natural_255_1d(2 to 3);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
+    variable relief_newest_choice : boolean_1d(7 to 16);
     variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- _value_#
     variable other_choice : natural_255_2d(0 to 15, 1 to 3);  -- _#_choice_#
-    variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
-    variable forward_above_total_choice : natural_31_1d(0 to 63);  -- _#_choice
-    variable forward_above_write_words_choice : natural_68_2d(0 to 10, 1 to 6);  -- _#_choice_#
-    variable sums_right_smallest_difference : integer range -63 to 63;
+    variable other_choice_4 : natural_190_1d(0 to 15);  -- _#_choice_4
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

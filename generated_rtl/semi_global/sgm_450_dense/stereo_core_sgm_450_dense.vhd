@@ -1096,72 +1096,27 @@ begin
       fill_out_filled_0_is_equal, fill_out_filled_0_choice, fill_out_tag_row_start_differs, fill_ends_row_place_0_all,
       fill_beside_0_left_any, median_counter_group_is_equal, median_line_ended_choice, median_window_complete_is_equal,
       median_window_complete_choice : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice, support_counter_group_choice,
+      fill_counter_group_choice, median_counter_group_choice : natural range 0 to 375;
+    variable transform_counter_group_choices, raster_place_group_choices, support_counter_group_choices,
+      fill_counter_group_choices, median_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice : boolean_1d(8 to 121);
+    variable transform_left_filter_feature_0_choice_17,
+      transform_right_filter_feature_0_choice_17 : natural range 0 to 3;
     variable transform_left_filter_feature_0_alls, transform_right_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(8 to 125);
     variable transform_counter_next_frame_choices, raster_place_next_frame_choices, support_next_tag_choices,
       fill_ends_next_place_0_choices : boolean_1d(1 to 2);  -- _choice_#
     variable slice0mask_inside_choice, slice1mask_inside_choice, slice2mask_inside_choice, slice3mask_inside_choice,
       winnerswinner2_best_at_start_0_choice : boolean_1d(0 to 15);  -- _#_choice
-    variable forward_left_start_cost_0_choice, sums_right_start_cost_0_choice : boolean_1d(4 to 6);
-    variable forward_left_start_cost_0_values, sums_right_start_cost_0_values : boolean_1d(1 to 2);  -- _value_#
-    variable winnersother_cost_0_is_equal : boolean_1d(1 to 61);  -- _#_is_equal
-    variable winnersother_cost_0_choice : boolean_2d(1 to 62, 7 to 9);  -- _#_choice_#
-    variable winnersother_cost_0_value : boolean_2d(1 to 62, 1 to 6);  -- _#_value_#
-    variable winnersother_cost_0_all : boolean_1d(1 to 63);  -- _#_all
-    variable winnersother_winner_0_0_values : boolean_1d(1 to 6);  -- _value_#
-    variable winnersother_winner_0_0_choice, winnerswinner6_best_index_0_0_choice : boolean_1d(7 to 8);
-    variable winnerswinner1_best_index_0_choice_8 : boolean_1d(0 to 31);  -- _#_choice_8
-    variable winnerswinner1_best_index_0_31_values, winnerswinner6_best_index_0_0_values,
-      relief_newest_values : boolean_1d(1 to 5);  -- _value_#
-    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 15, 7 to 8);  -- _#_choice_#
-    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 15, 1 to 5);  -- _#_value_#
-    variable winnerswinner2_best_below_0_is_equal : boolean_1d(0 to 15);  -- _#_is_equal
-    variable winnerswinner2_best_below_0_value : boolean_2d(4 to 14, 1 to 2);  -- _#_value_#
-    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 7, 7 to 8);  -- _#_choice_#
-    variable winnerswinner3_best_index_0_value : boolean_2d(0 to 7, 1 to 5);  -- _#_value_#
-    variable winnerswinner3_best_below_0_is_equal, winnerswinner3_best_above_0_is_equal : boolean_1d(0 to 7);  -- _#_is_equal
-    variable winnerswinner3_best_below_0_value : boolean_1d(2 to 6);  -- _#_value
-    variable winnerswinner3_best_above_0_value : boolean_2d(2 to 7, 1 to 2);  -- _#_value_#
-    variable winnerswinner3_best_at_start_0_choice : boolean_1d(0 to 7);  -- _#_choice
-    variable winnerswinner4_best_index_0_choice : boolean_2d(0 to 3, 7 to 8);  -- _#_choice_#
-    variable winnerswinner4_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- _#_value_#
-    variable winnerswinner4_best_below_0_is_equal, winnerswinner4_best_above_0_is_equal : boolean_1d(0 to 3);  -- _#_is_equal
-    variable winnerswinner4_best_above_0_value : boolean_2d(1 to 3, 1 to 2);  -- _#_value_#
-    variable winnerswinner4_best_at_start_0_choice : boolean_1d(0 to 3);  -- _#_choice
-    variable winnerswinner5_best_index_0_choice : boolean_2d(0 to 1, 7 to 8);  -- _#_choice_#
-    variable winnerswinner5_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
-    variable winnerswinner5_best_below_0_is_equal, winnerswinner5_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
-    variable winnerswinner5_best_at_start_0_choice : boolean_1d(0 to 1);  -- _#_choice
-    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- _differs_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable turn_ready_tag_row_start_choices, support_out_tag_row_start_choices,
-      fill_out_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable turn_ready_tag_row_start_alls, support_out_tag_row_start_alls, fill_out_disparity_0_alls,
-      fill_out_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable support_like_0_0_choice : boolean_1d(0 to 6);  -- _#_0_choice
-    variable support_like_0_1_differs : boolean_1d(0 to 6);  -- _#_1_differs
-    variable median_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable relief_newest_choice : boolean_1d(7 to 15);
-    variable transform_counter_group_choice, raster_place_group_choice, support_counter_group_choice,
-      fill_counter_group_choice, median_counter_group_choice : natural range 0 to 375;
-    variable transform_counter_group_choices, raster_place_group_choices, support_counter_group_choices,
-      fill_counter_group_choices, median_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
-    variable sums_turn_waiting_read_place_choices : natural_511_1d(1 to 2);  -- _choice_#
-    variable fill_takes_left_0_choice_2 : natural range 0 to 511;
-    variable transform_left_filter_feature_0_choice_17,
-      transform_right_filter_feature_0_choice_17 : natural range 0 to 3;
     variable slice0_held_0_choice, slice1_held_0_choice, slice2_held_0_choice,
       slice3_held_0_choice : natural_15_1d(0 to 15);  -- _#_choice
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 511;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 447;
     variable forward_left_pair_choice, sums_right_pair_choice : natural_127_1d(0 to 31);  -- _#_choice
-    variable forward_left_g_copy_0_value, forward_left_g_less_copy_0_value, sums_right_g_copy_0_value,
-      sums_right_g_less_copy_0_value : natural range 0 to 127;
-    variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
-      sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- _#_choice_#
-    variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- _#_#_value
+    variable forward_left_start_cost_0_values, sums_right_start_cost_0_values : boolean_1d(1 to 2);  -- _value_#
+    variable forward_left_start_cost_0_choice, sums_right_start_cost_0_choice : boolean_1d(4 to 6);
     variable forward_left_start_cost_0_choices, sums_right_start_cost_0_choices : natural_63_1d(7 to 9);  -- _choice_#
     variable forward_left_room_value, sums_right_room_value, leftright_address_0_value : natural range 0 to 63;
     variable forward_left_room_choices, sums_right_room_choices : natural_63_1d(1 to 3);  -- _choice_#
@@ -1169,45 +1124,90 @@ begin
       forward_left_relief_recent_choice, forward_left_relief_largest_choice, sums_right_smallest_choice,
       sums_right_relief_pairs_0_choice, sums_right_relief_older_choice, sums_right_relief_recent_choice,
       sums_right_relief_largest_choice, relief_newest_choice_16 : natural range 0 to 31;
-    variable forward_above_total_choice : natural_31_1d(0 to 63);  -- _#_choice
     variable forward_left_smallest_difference : integer range -31 to 46;
     variable forward_left_relief_reach_of_best_sum, forward_left_relief_reach_of_best_choice,
       sums_right_relief_reach_of_best_sum, sums_right_relief_reach_of_best_choice : natural range 0 to 190;
     variable forward_left_relief_reach_of_best_choices, sums_right_relief_reach_of_best_choices,
       fill_ends_read_place_0_choices : natural_255_1d(2 to 3);  -- _choice_#
+    variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
+    variable forward_left_g_copy_0_value, forward_left_g_less_copy_0_value, sums_right_g_copy_0_value,
+      sums_right_g_less_copy_0_value : natural range 0 to 127;
+    variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
+      sums_right_arrived_choice : natural_127_2d(0 to 63, 1 to 2);  -- _#_choice_#
+    variable forward_above_total_choice : natural_31_1d(0 to 63);  -- _#_choice
+    variable forward_above_write_words_choice : natural_36_2d(0 to 10, 1 to 6);  -- _#_choice_#
+    variable sums_right_smallest_difference : integer range -31 to 31;
+    variable sums_turn_waiting_read_place_choices : natural_511_1d(1 to 2);  -- _choice_#
+    variable winnersother_cost_0_is_equal : boolean_1d(1 to 61);  -- _#_is_equal
+    variable winnersother_cost_0_value : boolean_2d(1 to 62, 1 to 6);  -- _#_value_#
+    variable winnersother_cost_0_choice : boolean_2d(1 to 62, 7 to 9);  -- _#_choice_#
+    variable winnersother_cost_0_all : boolean_1d(1 to 63);  -- _#_all
+    variable winnersother_winner_0_0_values : boolean_1d(1 to 6);  -- _value_#
+    variable winnersother_winner_0_0_choice, winnerswinner6_best_index_0_0_choice : boolean_1d(7 to 8);
+    variable winnerswinner1_best_index_0_choice_8 : boolean_1d(0 to 31);  -- _#_choice_8
+    variable winnerswinner1_best_index_0_31_values, winnerswinner6_best_index_0_0_values,
+      relief_newest_values : boolean_1d(1 to 5);  -- _value_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 15, 1 to 5);  -- _#_value_#
+    variable winnerswinner2_best_index_0_choice : boolean_2d(0 to 15, 7 to 8);  -- _#_choice_#
+    variable winnerswinner2_best_below_0_is_equal : boolean_1d(0 to 15);  -- _#_is_equal
     variable winnerswinner2_best_below_0_choice, winnerswinner2_best_above_0_choice : natural_255_1d(0 to 15);  -- _#_choice
+    variable winnerswinner2_best_below_0_value : boolean_2d(4 to 14, 1 to 2);  -- _#_value_#
     variable winnerswinner2_best_second_0_choice : natural_255_2d(0 to 15, 1 to 4);  -- _#_choice_#
+    variable winnerswinner3_best_index_0_value : boolean_2d(0 to 7, 1 to 5);  -- _#_value_#
+    variable winnerswinner3_best_index_0_choice : boolean_2d(0 to 7, 7 to 8);  -- _#_choice_#
+    variable winnerswinner3_best_below_0_is_equal, winnerswinner3_best_above_0_is_equal : boolean_1d(0 to 7);  -- _#_is_equal
     variable winnerswinner3_best_below_0_choice, winnerswinner3_best_above_0_choice : natural_255_1d(0 to 7);  -- _#_choice
+    variable winnerswinner3_best_below_0_value : boolean_1d(2 to 6);  -- _#_value
+    variable winnerswinner3_best_above_0_value : boolean_2d(2 to 7, 1 to 2);  -- _#_value_#
+    variable winnerswinner3_best_at_start_0_choice : boolean_1d(0 to 7);  -- _#_choice
     variable winnerswinner3_best_second_0_choice : natural_255_2d(0 to 7, 1 to 4);  -- _#_choice_#
+    variable winnerswinner4_best_index_0_value : boolean_2d(0 to 3, 1 to 5);  -- _#_value_#
+    variable winnerswinner4_best_index_0_choice : boolean_2d(0 to 3, 7 to 8);  -- _#_choice_#
+    variable winnerswinner4_best_below_0_is_equal, winnerswinner4_best_above_0_is_equal : boolean_1d(0 to 3);  -- _#_is_equal
     variable winnerswinner4_best_below_0_choice, winnerswinner4_best_above_0_choice : natural_255_1d(0 to 3);  -- _#_choice
+    variable winnerswinner4_best_above_0_value : boolean_2d(1 to 3, 1 to 2);  -- _#_value_#
+    variable winnerswinner4_best_at_start_0_choice : boolean_1d(0 to 3);  -- _#_choice
     variable winnerswinner4_best_second_0_choice : natural_255_2d(0 to 3, 1 to 4);  -- _#_choice_#
+    variable winnerswinner5_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
+    variable winnerswinner5_best_index_0_choice : boolean_2d(0 to 1, 7 to 8);  -- _#_choice_#
+    variable winnerswinner5_best_below_0_is_equal, winnerswinner5_best_above_0_is_equal : boolean_1d(0 to 1);  -- _#_is_equal
     variable winnerswinner5_best_below_0_choice, winnerswinner5_best_above_0_choice : natural_255_1d(0 to 1);  -- _#_choice
+    variable winnerswinner5_best_at_start_0_choice : boolean_1d(0 to 1);  -- _#_choice
     variable winnerswinner5_best_second_0_choice : natural_255_2d(0 to 1, 1 to 4);  -- _#_choice_#
     variable winnerswinner6_best_below_0_0_choice, winnerswinner6_best_above_0_0_choice, refinement_divisor_0_0_choice,
       refinement_fraction_0_choice, support_out_sure_0_choice, fill_takes_left_0_choice : natural range 0 to 255;
     variable winnerswinner6_best_second_0_0_choices : natural_255_1d(1 to 4);  -- _choice_#
-    variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- _value_#
-    variable forward_left_relief_leaves_choice, sums_right_relief_leaves_choice : natural range 64 to 127;
-    variable forward_above_write_words_choice : natural_36_2d(0 to 10, 1 to 6);  -- _#_choice_#
-    variable sums_right_smallest_difference : integer range -31 to 31;
     variable winners_partner_at_sum : natural range 1 to 512;
     variable winners_partner_at_choice : natural range 0 to 512;
+    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- _differs_#
     variable refinement_remainder_1_0_difference : natural range 257 to 767;
     variable refinement_remainder_0_difference : natural_257_to_1022_1d(2 to 7);  -- _#_0_difference
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
     variable leftright_checked_passed_0_difference : integer range -62 to 64;
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_choices, support_out_tag_row_start_choices,
+      fill_out_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls, support_out_tag_row_start_alls, fill_out_disparity_0_alls,
+      fill_out_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
     variable support_column_choice : natural_63_to_127_1d(0 to 4);  -- _#_choice
     variable support_like_0_0_0_difference : integer range -62 to 1;
+    variable support_like_0_value : natural_127_2d(0 to 6, 0 to 4);  -- _#_#_value
+    variable support_like_0_0_choice : boolean_1d(0 to 6);  -- _#_0_choice
+    variable support_like_0_1_differs : boolean_1d(0 to 6);  -- _#_1_differs
+    variable fill_takes_left_0_choice_2 : natural range 0 to 511;
     variable fill_out_disparity_0_choice : natural range 0 to 1023;
     variable fill_out_disparity_0_choice_2, median_of_column_0_c_choice, median_low_0_0_choice,
       median_middle_0_0_choice, median_high_0_0_choice : natural range 0 to 32767;
+    variable fill_write_above_0_choice : natural range 0 to 65535;
+    variable median_of_column_0_a_choice : natural range 0 to 4095;
     variable median_sorted_low_0_choices, median_sorted_middle_0_choices, median_sorted_high_0_choices,
       median_largest_low_0_choices, median_smallest_high_0_choices : natural_32767_1d(1 to 2);  -- _choice_#
     variable median_median_middle_0_choices, median_out_disparity_0_choices : natural_32767_1d(1 to 4);  -- _choice_#
-    variable fill_write_above_0_choice : natural range 0 to 65535;
-    variable median_of_column_0_a_choice : natural range 0 to 4095;
+    variable median_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
+    variable relief_newest_choice : boolean_1d(7 to 15);
+    variable relief_newest_values_from_6 : natural_255_1d(6 to 7);  -- _value_#
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

@@ -655,47 +655,21 @@ begin
       entry_order_turned_output_column_choice, forward_left_start_cost_0_value, sums_right_start_cost_0_value,
       sums_turn_writes_copy_0_choice, winnerswinner4_best_index_0_0_choice_7, turn_order_falls_all,
       turn_order_complete_all, turn_ready_tag_row_start_differs, map_counter_group_is_equal, map_line_ended_choice,
-      map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_choice_6,
-      map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_6,
-      map_of_low_0_c_below_b_choice_6, map_of_middle_0_b_below_a_choice_6, map_of_middle_0_b_below_a_is_equal,
+      map_at_arrives_value, map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_is_equal,
+      map_of_low_0_b_below_a_choice_6, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_6,
+      map_of_low_0_c_below_b_choice_6, map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_6,
       map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_6, map_of_middle_0_c_below_b_choice_6,
-      map_of_high_0_b_below_a_choice_6, map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value,
-      map_of_high_0_c_below_a_choice_6, map_of_high_0_c_below_b_choice_6, map_of_all_0_b_below_a_choice_6,
-      map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_6,
+      map_of_high_0_b_below_a_is_equal, map_of_high_0_b_below_a_choice_6, map_of_high_0_c_below_a_value,
+      map_of_high_0_c_below_a_choice_6, map_of_high_0_c_below_b_choice_6, map_of_all_0_b_below_a_is_equal,
+      map_of_all_0_b_below_a_choice_6, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_6,
       map_of_all_0_c_below_b_choice_6 : boolean;
+    variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
+    variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_counter_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 353);
-    variable winnerswinner1_of_pair_0_choice_7 : boolean_1d(0 to 63);  -- _2#_choice_7
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 63, 1 to 4);  -- _2#_value_#
-    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 31, 1 to 7);  -- _4#_choice_#
-    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 31, 1 to 10);  -- _4#_value_#
-    variable winnerswinner2_of_pair_0_choice_7 : boolean_1d(0 to 15);  -- _2#_choice_7
-    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 15, 1 to 4);  -- _2#_value_#
-    variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 7, 1 to 7);  -- _4#_choice_#
-    variable winnerswinner2_of_four_0_value : boolean_2d(0 to 7, 1 to 10);  -- _4#_value_#
-    variable winnerswinner3_of_pair_0_choice_7 : boolean_1d(0 to 3);  -- _2#_choice_7
-    variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 3, 1 to 4);  -- _2#_value_#
-    variable winnerswinner3_of_four_0_choice : boolean_2d(0 to 4, 1 to 7);  -- _#_choice_#
-    variable winnerswinner3_of_four_0_value : boolean_2d(0 to 4, 1 to 10);  -- _#_value_#
-    variable winnerswinner4_best_index_0_0_values : boolean_1d(1 to 4);  -- _value_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 10);  -- _value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 8);  -- _choice_#
-    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 6);  -- _value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 17);  -- _choice_#
-    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 5);  -- _choice_#
-    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
-      map_of_all_0_b_below_a_values : boolean_1d(1 to 9);  -- _value_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable transform_counter_group_choice, map_counter_group_choice : natural range 0 to 15;
-    variable transform_counter_group_choices, map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_choice_354,
       transform_right_filter_feature_0_choice_354 : natural range 0 to 31;
-    variable forward_left_room_choices, sums_right_room_choices : natural_31_1d(1 to 2);  -- _choice_#
-    variable forward_above_total_choice : natural_31_1d(0 to 127);  -- _#_choice
     variable transform_left_filter_feature_0_choice_355,
       transform_right_filter_feature_0_choice_355 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_356,
@@ -712,16 +686,42 @@ begin
       transform_right_filter_feature_0_choice_361 : unsigned(38 downto 0);
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
     variable forward_left_pair_choice, sums_right_pair_choice : natural_63_1d(0 to 63);  -- _#_choice
+    variable forward_left_start_cost_0_choices, sums_right_start_cost_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable forward_left_room_choices, sums_right_room_choices : natural_31_1d(1 to 2);  -- _choice_#
     variable forward_left_g_copy_0_value, forward_left_g_less_copy_0_value, sums_right_g_copy_0_value,
       sums_right_g_less_copy_0_value : natural range 0 to 63;
     variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
       sums_right_arrived_choice : natural_63_2d(0 to 127, 1 to 2);  -- _#_choice_#
-    variable forward_left_start_cost_0_choices, sums_right_start_cost_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable forward_above_total_choice : natural_31_1d(0 to 127);  -- _#_choice
     variable forward_above_write_words_choice : natural_67_2d(0 to 21, 1 to 6);  -- _#_choice_#
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 63, 1 to 4);  -- _2#_value_#
+    variable winnerswinner1_of_pair_0_choice_7 : boolean_1d(0 to 63);  -- _2#_choice_7
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 31, 1 to 7);  -- _4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 31, 1 to 10);  -- _4#_value_#
+    variable winnerswinner2_of_pair_0_value : boolean_2d(0 to 15, 1 to 4);  -- _2#_value_#
+    variable winnerswinner2_of_pair_0_choice_7 : boolean_1d(0 to 15);  -- _2#_choice_7
+    variable winnerswinner2_of_four_0_choice : boolean_2d(0 to 7, 1 to 7);  -- _4#_choice_#
+    variable winnerswinner2_of_four_0_value : boolean_2d(0 to 7, 1 to 10);  -- _4#_value_#
+    variable winnerswinner3_of_pair_0_value : boolean_2d(0 to 3, 1 to 4);  -- _2#_value_#
+    variable winnerswinner3_of_pair_0_choice_7 : boolean_1d(0 to 3);  -- _2#_choice_7
+    variable winnerswinner3_of_four_0_choice : boolean_2d(0 to 4, 1 to 7);  -- _#_choice_#
+    variable winnerswinner3_of_four_0_value : boolean_2d(0 to 4, 1 to 10);  -- _#_value_#
+    variable winnerswinner4_best_index_0_0_values : boolean_1d(1 to 4);  -- _value_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 10);  -- _value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 8);  -- _choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 6);  -- _value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 17);  -- _choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 5);  -- _choice_#
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_127_1d(1 to 2);  -- _choice_#
+    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
+      map_of_all_0_b_below_a_values : boolean_1d(1 to 9);  -- _value_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_127_1d(1 to 4);  -- _choice_#
     variable map_low_0_0_choice, map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 127;
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
     variable other_choice : natural_11_1d(2 to 129);  -- _2#_choice
   begin
     wait until rising_edge(clock);

@@ -974,6 +974,8 @@ begin
       refinement_divisor_0_0_is_less, leftright_holds_winners_choice, turn_order_falls_all, turn_order_complete_all,
       turn_ready_tag_row_start_differs, map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal,
       map_window_complete_choice : boolean;
+    variable transform_counter_group_after_choice, raster_place_group_after_choice,
+      winners_best_cost_0_0_choice : natural range 0 to 511;
     variable transform_left_filter_low_is_larger_0_value,
       transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- _2#_2#_value_#
     variable transform_left_filter_low_is_larger_0_choice_3,
@@ -983,26 +985,6 @@ begin
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- _all_#
-    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
-      pathsturn_cost_memory_write_words_0_all, map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- _#_value_#
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _#_choice_#
-    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
-    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
-    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- _value_#
-    variable other_choice : boolean_2d(14 to 15, 7 to 42);  -- _#_choice_#
-    variable other_value : boolean_2d(14 to 15, 1 to 21);  -- _#_value_#
-    variable other_all : boolean_2d(14 to 15, 1 to 4);  -- _#_all_#
-    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- _differs_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
-    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable transform_counter_group_after_choice, raster_place_group_after_choice,
-      winners_best_cost_0_0_choice : natural range 0 to 511;
-    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_counter_group_choice, raster_place_group_choice,
       map_counter_group_choice : natural range 0 to 15;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
@@ -1013,7 +995,6 @@ begin
       pathsabove_write_address_count_phase_choice, pathsturn_read_address_count_phase_choice,
       pathsturn_write_address_count_phase_choice, pathsright_stay_change_5_sum, other_read_count_phase_choice,
       other_count_phase_choice, other_write_count_phase_choice, other_6_choice_2 : natural range 0 to 7;
-    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 6);  -- _#_value
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 1024;
     variable costsmask_column_choice, pathsabove_memory_read_address_1_choice,
       winnersmask_column_choice : natural range 0 to 1023;
@@ -1022,40 +1003,59 @@ begin
     variable pathsleft_stay_choice, pathsright_stay_choice : natural_127_1d(0 to 7);  -- _#_choice
     variable pathsleft_stay_value, pathsright_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- _#_value_#
     variable pathsleft_step_choice, pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- _#_choice_#
+    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 6);  -- _#_value
     variable pathsleft_low_0_choice, pathsright_low_0_choice : natural range 0 to 127;
     variable pathsleft_q_choices, pathsright_q_choices : natural_63_1d(1 to 2);  -- _choice_#
     variable pathsleft_room_left_choice, pathsabove_smallest_total_choice,
       pathsright_room_left_choice : natural range 0 to 63;
-    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- _#_choice
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
     variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- _choice_#
-    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- _#_choice
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- _#_choice
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- _#_choice_#
-    variable other_base_choice : natural range 0 to 31;
+    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- _#_sum
-    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- _#_sum_2
-    variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
     variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
     variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum,
       pathsturn_cost_memory_write_words_0_1_sum, winnerswinner3_best_below_0_0_choice,
       winnerswinner3_best_above_0_0_choice, winners_best_cost_0_0_choice_2,
       refinement_divisor_0_0_choice : natural range 0 to 255;
-    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- _#_any_#
-    variable winnerswinner2_best_below_0_choice, winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- _#_choice
-    variable winners_best_below_0_0_choices, winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- _choice_#
-    variable other_choices : natural_255_1d(6 to 17);  -- _#_choice
-    variable other_choices_from_14 : natural_255_2d(14 to 17, 2 to 44);  -- _#_choice_#
+    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
+      pathsturn_cost_memory_write_words_0_all, map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
     variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- _#_sum
+    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- _#_sum_2
+    variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
     variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- _#_sum_#
+    variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- _#_any_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 13);  -- _#_value_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _#_choice_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
+    variable winnerswinner2_best_below_0_choice, winnerswinner2_best_above_0_choice : natural_255_1d(0 to 1);  -- _#_choice
+    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- _value_#
+    variable winners_best_below_0_0_choices, winners_best_above_0_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable other_base_choice : natural range 0 to 31;
     variable other_6_difference : integer range -15 to 0;
     variable other_6_value : natural range 0 to 16;
+    variable other_choice : natural_255_1d(6 to 17);  -- _#_choice
     variable other_difference : natural_257_to_1022_1d(7 to 12);  -- _#_difference
     variable other_13_difference : natural range 257 to 767;
+    variable other_value : boolean_2d(14 to 15, 1 to 21);  -- _#_value_#
+    variable other_choices_from_14 : boolean_2d(14 to 15, 7 to 42);  -- _#_choice_#
+    variable other_all : boolean_2d(14 to 15, 1 to 4);  -- _#_all_#
     variable other_14_value_6 : natural range 0 to 248;
+    variable other_choices : natural_255_2d(14 to 17, 2 to 44);  -- _#_choice_#
+    variable refinement_below_0_differss : boolean_1d(1 to 2);  -- _differs_#
     variable leftright_checked_passed_0_difference : integer range -254 to 256;
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable map_of_column_0_c_choice, map_low_0_0_choice, map_middle_0_0_choice,
       map_high_0_0_choice : natural range 0 to 32767;
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
@@ -1064,8 +1064,8 @@ begin
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more
-    other_all := (others => (others => false)); other_choice := (others => (others => false));
-    other_choices := (others => 0); other_choices_from_14 := (others => (others => 0));
+    other_all := (others => (others => false)); other_choice := (others => 0);
+    other_choices := (others => (others => 0)); other_choices_from_14 := (others => (others => false));
     other_value := (others => (others => false)); pathsabove_beside_choice := (others => 0);
     pathsabove_memory_write_words_0_choice := (others => (others => 0));
     pathsleft_stay_value := (others => (others => 0)); pathsleft_step_choice := (others => (others => 0));
@@ -2366,7 +2366,7 @@ begin
     other_3_is_equal := map_counter_group = 480;
     other_6_difference := 0 - (refinement_quotient_8_0 / 16);
     other_6_value := (refinement_quotient_8_0 + 15) / 16;
-    other_choices(6) := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
+    other_choice(6) := choice(refinement_negative_0(8), other_6_difference mod 256, other_6_value);
     other_6_choice_2 := choice(refinement_negative_0(8), other_6_difference mod 8, other_6_value mod 8);
     for i in 7 to 12 loop
       other_difference(i) := ((refinement_remainder_0(13 - i) * 2) + 512) - refinement_divisor_0(13 - i);
@@ -2375,101 +2375,97 @@ begin
     other_14_any := line_comes(23) or (not is_set(other_write_count_phase, 2)) or (not is_set(other_write_count_phase,
       1)) or (not is_set(other_write_count_phase, 0));
     for i in 1 to 5 loop other_value(14, i) := other_words(1)(i + 17) = '1'; end loop;
-    other_choice(14, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
-    other_choice(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) = '1')) and
-      (not other_first_column));
-    other_choice(14, 9) := choice(other_choice(14, 7), is_set(paths_sum(5), 7) and (not (other_words(1)(23) = '1')) and
-      (not other_first_column), other_choice(14, 8));
-    other_all(14, 1) := (not other_choice(14, 9)) and winnersmask_inside(5) and other_output_column;
+    other_choices_from_14(14, 7) := not is_larger(paths_sum(5), to_integer(other_words(1)(22 downto 16)), 0, 6, false);
+    other_choices_from_14(14, 8) := choice(is_set(paths_sum(5), 7), not other_first_column, (not (other_words(1)(23) =
+      '1')) and (not other_first_column));
+    other_choices_from_14(14, 9) := choice(other_choices_from_14(14, 7), is_set(paths_sum(5), 7) and (not
+      (other_words(1)(23) = '1')) and (not other_first_column), other_choices_from_14(14, 8));
+    other_all(14, 1) := (not other_choices_from_14(14, 9)) and winnersmask_inside(5) and other_output_column;
     other_14_value_6 := (other_base / 8) * 8;
     for i in 1 to 2 loop
-      other_choices_from_14(14, 11 * i - 1) := choice(other_all(14, i), other_14_value_6 + (6 - i),
+      other_choices(14, 11 * i - 1) := choice(other_all(14, i), other_14_value_6 + (6 - i),
         to_integer(other_words(3)(31 - 8 * i downto 24 - 8 * i)));
-      other_choices_from_14(14, 11 * i) := choice(other_14_any, other_choices_from_14(14, 11 * i - 1),
-        to_integer(other(14)(23 - 8 * i downto 16 - 8 * i)));
+      other_choices(14, 11 * i) := choice(other_14_any, other_choices(14, 11 * i - 1), to_integer(other(14)(23 - 8 * i
+        downto 16 - 8 * i)));
       for j in 2 to 6 loop other_value(14, 5 * i + j) := other_words(1)(16 * i + j - 8) = '1'; end loop;
-      other_choice(14, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2 downto
-        16 * i - 8)), 0, 6, false);
-      other_choice(14, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
+      other_choices_from_14(14, 11 * i + 7) := not is_larger(paths_sum(2 * i + 2), to_integer(other_words(1)(16 * i - 2
+        downto 16 * i - 8)), 0, 6, false);
+      other_choices_from_14(14, 11 * i + 8) := choice(is_set(paths_sum(2 * i + 2), 7), not other_first_column, (not
         (other_words(1)(16 * i - 1) = '1')) and (not other_first_column));
-      other_choice(14, 11 * i + 9) := choice(other_choice(14, 11 * i + 7), is_set(paths_sum(2 * i + 2), 7) and (not
-        (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choice(14, 11 * i + 8));
-      other_all(14, i + 1) := (not other_choice(14, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
+      other_choices_from_14(14, 11 * i + 9) := choice(other_choices_from_14(14, 11 * i + 7), is_set(paths_sum(2 * i +
+        2), 7) and (not (other_words(1)(16 * i - 1) = '1')) and (not other_first_column), other_choices_from_14(14, 11
+        * i + 8));
+      other_all(14, i + 1) := (not other_choices_from_14(14, 11 * i + 9)) and winnersmask_inside(2 * i + 2) and
         other_output_column;
     end loop;
-    other_choices_from_14(14, 32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31 downto
-      24)));
-    other_choices_from_14(14, 33) := choice(other_14_any, other_choices_from_14(14, 32), to_integer(other(14)(23 downto
-      16)));
+    other_choices(14, 32) := choice(other_all(14, 3), other_14_value_6 + 6, to_integer(other_words(3)(31 downto 24)));
+    other_choices(14, 33) := choice(other_14_any, other_choices(14, 32), to_integer(other(14)(23 downto 16)));
     for i in 17 to 21 loop other_value(14, i) := other_next_words(0)(i - 15) = '1'; end loop;
-    other_choice(14, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6, false);
+    other_choices_from_14(14, 40) := not is_larger(paths_sum(7), to_integer(other_next_words(0)(6 downto 0)), 0, 6,
+      false);
     other_14_differs := other_count_phase /= 7;
-    other_choice(14, 41) := choice(other_choice(14, 40), other_14_differs and is_set(paths_sum(7), 7) and (not
-      (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not (other_next_words(0)(7) =
-      '1'))));
-    other_choice(14, 42) := choice(other_choice(14, 41), winnersmask_inside(7) and other_output_column and
-      other_first_column, winnersmask_inside(7) and other_output_column);
-    other_choices_from_14(14, 43) := choice(other_choice(14, 42), other_14_value_6 + 7,
+    other_choices_from_14(14, 41) := choice(other_choices_from_14(14, 40), other_14_differs and is_set(paths_sum(7), 7)
+      and (not (other_next_words(0)(7) = '1')), other_14_differs and (is_set(paths_sum(7), 7) or (not
+      (other_next_words(0)(7) = '1'))));
+    other_choices_from_14(14, 42) := choice(other_choices_from_14(14, 41), winnersmask_inside(7) and
+      other_output_column and other_first_column, winnersmask_inside(7) and other_output_column);
+    other_choices(14, 43) := choice(other_choices_from_14(14, 42), other_14_value_6 + 7,
       to_integer(other_next_words(2)(7 downto 0)));
-    other_choices_from_14(14, 44) := choice(other_14_any, other_choices_from_14(14, 43), to_integer(other(14)(31 downto
-      24)));
+    other_choices(14, 44) := choice(other_14_any, other_choices(14, 43), to_integer(other(14)(31 downto 24)));
     for i in 1 to 5 loop other_value(15, i) := other_words(0)(i + 17) = '1'; end loop;
-    other_choice(15, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
-    other_choice(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) = '1')) and
-      (not other_first_column));
-    other_choice(15, 9) := choice(other_choice(15, 7), is_set(paths_sum(1), 7) and (not (other_words(0)(23) = '1')) and
-      (not other_first_column), other_choice(15, 8));
-    other_all(15, 1) := (not other_choice(15, 9)) and winnersmask_inside(1) and other_output_column;
-    other_choices_from_14(15, 10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23 downto
-      16)));
-    other_choices_from_14(15, 11) := choice(other_14_any, other_choices_from_14(15, 10), to_integer(other(15)(15 downto
-      8)));
+    other_choices_from_14(15, 7) := not is_larger(paths_sum(1), to_integer(other_words(0)(22 downto 16)), 0, 6, false);
+    other_choices_from_14(15, 8) := choice(is_set(paths_sum(1), 7), not other_first_column, (not (other_words(0)(23) =
+      '1')) and (not other_first_column));
+    other_choices_from_14(15, 9) := choice(other_choices_from_14(15, 7), is_set(paths_sum(1), 7) and (not
+      (other_words(0)(23) = '1')) and (not other_first_column), other_choices_from_14(15, 8));
+    other_all(15, 1) := (not other_choices_from_14(15, 9)) and winnersmask_inside(1) and other_output_column;
+    other_choices(15, 10) := choice(other_all(15, 1), other_14_value_6 + 1, to_integer(other_words(2)(23 downto 16)));
+    other_choices(15, 11) := choice(other_14_any, other_choices(15, 10), to_integer(other(15)(15 downto 8)));
     for i in 6 to 10 loop other_value(15, i) := other_words(0)(i + 4) = '1'; end loop;
-    other_choice(15, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
-    other_choice(15, 19) := choice(other_choice(15, 18), (not other_first_column) and is_set(paths_sum(0), 7) and (not
-      (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0), 7) or (not (other_words(0)(15) =
-      '1'))));
-    other_all(15, 2) := (not other_choice(15, 19)) and winnersmask_inside(0) and other_output_column;
-    other_choices_from_14(15, 20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
+    other_choices_from_14(15, 18) := not is_larger(paths_sum(0), to_integer(other_words(0)(14 downto 8)), 0, 6, false);
+    other_choices_from_14(15, 19) := choice(other_choices_from_14(15, 18), (not other_first_column) and
+      is_set(paths_sum(0), 7) and (not (other_words(0)(15) = '1')), (not other_first_column) and (is_set(paths_sum(0),
+      7) or (not (other_words(0)(15) = '1'))));
+    other_all(15, 2) := (not other_choices_from_14(15, 19)) and winnersmask_inside(0) and other_output_column;
+    other_choices(15, 20) := choice(other_all(15, 2), other_base, to_integer(other_words(2)(15 downto 8)));
     for i in 0 to 1 loop
-      other_choices_from_14(15, 11 * i + 21) := choice(other_14_any, other_choices_from_14(15, 11 * i + 20),
-        to_integer(other(15)(16 * i + 7 downto 16 * i)));
+      other_choices(15, 11 * i + 21) := choice(other_14_any, other_choices(15, 11 * i + 20), to_integer(other(15)(16 *
+        i + 7 downto 16 * i)));
       for j in 11 to 15 loop other_value(15, 5 * i + j) := other_words(i)(j + 15 - 24 * i) = '1'; end loop;
-      other_choice(15, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i downto 24
-        - 24 * i)), 0, 6, false);
-      other_choice(15, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
+      other_choices_from_14(15, 11 * i + 28) := not is_larger(paths_sum(i + 2), to_integer(other_words(i)(30 - 24 * i
+        downto 24 - 24 * i)), 0, 6, false);
+      other_choices_from_14(15, 11 * i + 29) := choice(is_set(paths_sum(i + 2), 7), not other_first_column, (not
         (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column));
-      other_choice(15, 11 * i + 30) := choice(other_choice(15, 11 * i + 28), is_set(paths_sum(i + 2), 7) and (not
-        (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choice(15, 11 * i + 29));
-      other_all(15, i + 3) := (not other_choice(15, 11 * i + 30)) and winnersmask_inside(i + 2) and other_output_column;
-      other_choices_from_14(15, 11 * i + 31) := choice(other_all(15, i + 3), other_14_value_6 + (i + 2),
+      other_choices_from_14(15, 11 * i + 30) := choice(other_choices_from_14(15, 11 * i + 28), is_set(paths_sum(i + 2),
+        7) and (not (other_words(i)(31 - 24 * i) = '1')) and (not other_first_column), other_choices_from_14(15, 11 * i
+        + 29));
+      other_all(15, i + 3) := (not other_choices_from_14(15, 11 * i + 30)) and winnersmask_inside(i + 2) and
+        other_output_column;
+      other_choices(15, 11 * i + 31) := choice(other_all(15, i + 3), other_14_value_6 + (i + 2),
         to_integer(other_words(i + 2)(31 - 24 * i downto 24 - 24 * i)));
     end loop;
-    other_choices_from_14(15, 43) := choice(other_14_any, other_choices_from_14(15, 42), to_integer(other(15)(31 downto
-      24)));
-    other_choices(16) := choice(other_all(14, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
-    other_choices_from_14(16, 2) := choice(other_14_any, other_choices(16), to_integer(other(16)(15 downto 8)));
+    other_choices(15, 43) := choice(other_14_any, other_choices(15, 42), to_integer(other(15)(31 downto 24)));
+    other_choice(16) := choice(other_all(14, 1), paths_sum(5), to_integer(other_words(1)(23 downto 16)));
+    other_choices(16, 2) := choice(other_14_any, other_choice(16), to_integer(other(16)(15 downto 8)));
     for i in 2 to 3 loop
-      other_choices_from_14(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(2 * i), to_integer(other_words(1)(16 *
-        i - 17 downto 16 * i - 24)));
-      other_choices_from_14(16, 2 * i) := choice(other_14_any, other_choices_from_14(16, 2 * i - 1),
-        to_integer(other(16)(16 * i - 25 downto 16 * i - 32)));
+      other_choices(16, 2 * i - 1) := choice(other_all(14, i), paths_sum(2 * i), to_integer(other_words(1)(16 * i - 17
+        downto 16 * i - 24)));
+      other_choices(16, 2 * i) := choice(other_14_any, other_choices(16, 2 * i - 1), to_integer(other(16)(16 * i - 25
+        downto 16 * i - 32)));
     end loop;
-    other_choices_from_14(16, 7) := choice(other_choice(14, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto
+    other_choices(16, 7) := choice(other_choices_from_14(14, 42), paths_sum(7), to_integer(other_next_words(0)(7 downto
       0)));
-    other_choices_from_14(16, 8) := choice(other_14_any, other_choices_from_14(16, 7), to_integer(other(16)(31 downto
-      24)));
-    other_choices(17) := choice(other_all(15, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
-    other_choices_from_14(17, 2) := choice(other_14_any, other_choices(17), to_integer(other(17)(15 downto 8)));
+    other_choices(16, 8) := choice(other_14_any, other_choices(16, 7), to_integer(other(16)(31 downto 24)));
+    other_choice(17) := choice(other_all(15, 1), paths_sum(1), to_integer(other_words(0)(23 downto 16)));
+    other_choices(17, 2) := choice(other_14_any, other_choice(17), to_integer(other(17)(15 downto 8)));
     for i in 2 to 3 loop
-      other_choices_from_14(17, 2 * i - 1) := choice(other_all(15, i), paths_sum(2 * i - 4),
-        to_integer(other_words(0)(16 * i - 17 downto 16 * i - 24)));
-      other_choices_from_14(17, 2 * i) := choice(other_14_any, other_choices_from_14(17, 2 * i - 1),
-        to_integer(other(17)(16 * i - 25 downto 16 * i - 32)));
+      other_choices(17, 2 * i - 1) := choice(other_all(15, i), paths_sum(2 * i - 4), to_integer(other_words(0)(16 * i -
+        17 downto 16 * i - 24)));
+      other_choices(17, 2 * i) := choice(other_14_any, other_choices(17, 2 * i - 1), to_integer(other(17)(16 * i - 25
+        downto 16 * i - 32)));
     end loop;
-    other_choices_from_14(17, 7) := choice(other_all(15, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
-    other_choices_from_14(17, 8) := choice(other_14_any, other_choices_from_14(17, 7), to_integer(other(17)(31 downto
-      24)));
+    other_choices(17, 7) := choice(other_all(15, 4), paths_sum(3), to_integer(other_words(1)(7 downto 0)));
+    other_choices(17, 8) := choice(other_14_any, other_choices(17, 7), to_integer(other(17)(31 downto 24)));
     other_words <= other_next_words;
     other_base <= other_base_choice * 8;
     other_0 <= winnerswinner1_best_index_0_choice(2, 8);
@@ -2480,7 +2476,7 @@ begin
       to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) & to_unsigned(map_counter_column,
       16);
     other_4 <= to_integer(other_5);
-    other_6 <= ((((other_choices(6) / 8) + 1) mod 4) * 8) + other_6_choice_2;
+    other_6 <= ((((other_choice(6) / 8) + 1) mod 4) * 8) + other_6_choice_2;
     other_7 <= ((other_difference(7) / 512) * 2) + ((other_8 / 4) * 4);
     other_8 <= ((other_difference(8) / 512) * 4) + ((other_9 / 8) * 8);
     other_9 <= ((other_difference(9) / 512) * 8) + ((other_10 / 16) * 16);
@@ -2489,12 +2485,12 @@ begin
     other_12 <= ((other_difference(12) / 512) * 64) + ((other_13 / 128) * 128);
     other_13 <= (other_13_difference / 512) * 128;
     for i in 0 to 1 loop
-      other(2 * i + 14) <= to_unsigned(other_choices_from_14(2 * i + 14, 44 - 36 * i), 8) &
-        to_unsigned(other_choices_from_14(2 * i + 14, 33 - 27 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14,
-        11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 14, 22 - 18 * i), 8);
-      other(2 * i + 15) <= to_unsigned(other_choices_from_14(2 * i + 15, 43 - 35 * i), 8) &
-        to_unsigned(other_choices_from_14(2 * i + 15, 32 - 26 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15,
-        11 - 9 * i), 8) & to_unsigned(other_choices_from_14(2 * i + 15, 21 - 17 * i), 8);
+      other(2 * i + 14) <= to_unsigned(other_choices(2 * i + 14, 44 - 36 * i), 8) & to_unsigned(other_choices(2 * i +
+        14, 33 - 27 * i), 8) & to_unsigned(other_choices(2 * i + 14, 11 - 9 * i), 8) & to_unsigned(other_choices(2 * i
+        + 14, 22 - 18 * i), 8);
+      other(2 * i + 15) <= to_unsigned(other_choices(2 * i + 15, 43 - 35 * i), 8) & to_unsigned(other_choices(2 * i +
+        15, 32 - 26 * i), 8) & to_unsigned(other_choices(2 * i + 15, 11 - 9 * i), 8) & to_unsigned(other_choices(2 * i
+        + 15, 21 - 17 * i), 8);
     end loop;
     other_read_count_phase <= choice(line_comes(20), 0, other_read_count_phase_choice);
     other_count_phase <= choice(line_comes(22), 0, other_count_phase_choice);

@@ -882,14 +882,16 @@ begin
       pathsleft_cost_0_any, pathsabove_count_phase_is_equal, pathsabove_memory_write_words_0_0_choice_4,
       winnerswinner3_best_index_0_0_choice_8, turn_order_falls_all, turn_order_complete_all,
       turn_ready_tag_row_start_differs, map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value,
-      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_choice_7,
-      map_of_low_0_b_below_a_is_equal, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_7,
-      map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal,
+      map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_is_equal,
+      map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_7,
+      map_of_low_0_c_below_b_choice_7, map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_7,
       map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_choice_7,
-      map_of_high_0_b_below_a_choice_7, map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value,
-      map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_choice_7,
-      map_of_all_0_b_below_a_is_equal, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_7,
+      map_of_high_0_b_below_a_is_equal, map_of_high_0_b_below_a_choice_7, map_of_high_0_c_below_a_value,
+      map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_is_equal,
+      map_of_all_0_b_below_a_choice_7, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_7,
       map_of_all_0_c_below_b_choice_7 : boolean;
+    variable transform_counter_group_after_choice, raster_place_group_after_choice,
+      winners_best_cost_0_0_choice : natural range 0 to 511;
     variable transform_left_filter_low_is_larger_0_value,
       transform_right_filter_low_is_larger_0_value : boolean_3d(0 to 4, 0 to 2, 1 to 4);  -- _2#_2#_value_#
     variable transform_left_filter_low_is_larger_0_choice_3,
@@ -899,29 +901,6 @@ begin
     variable transform_left_filter_feature_0_alls : boolean_1d(1 to 4);  -- _all_#
     variable transform_right_filter_feature_0_choice : boolean_1d(3 to 70);
     variable transform_right_filter_feature_0_alls : boolean_1d(1 to 5);  -- _all_#
-    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
-    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
-    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
-      pathsturn_cost_memory_write_words_0_all, map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _#_choice_#
-    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 12);  -- _#_value_#
-    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
-    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
-    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- _value_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
-    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
-    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
-    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- _value_#
-    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- _choice_#
-    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- _value_#
-    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- _choice_#
-    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- _choice_#
-    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
-      map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- _value_#
-    variable transform_counter_group_after_choice, raster_place_group_after_choice,
-      winners_best_cost_0_0_choice : natural range 0 to 511;
-    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
     variable transform_counter_group_choice, raster_place_group_choice,
       map_counter_group_choice : natural range 0 to 15;
     variable line_order_address_choice, turn_order_address_choice : natural range 1 to 1023;
@@ -931,7 +910,6 @@ begin
       pathsabove_read_address_count_phase_choice, pathsabove_count_phase_choice,
       pathsabove_write_address_count_phase_choice, pathsturn_read_address_count_phase_choice,
       pathsturn_write_address_count_phase_choice, pathsright_stay_change_5_sum : natural range 0 to 7;
-    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 6);  -- _#_value
     variable costsmask_column_sum, winnersmask_column_sum : natural range 1 to 1024;
     variable costsmask_column_choice, pathsabove_memory_read_address_1_choice,
       winnersmask_column_choice : natural range 0 to 1023;
@@ -940,31 +918,53 @@ begin
     variable pathsleft_stay_choice, pathsright_stay_choice : natural_127_1d(0 to 7);  -- _#_choice
     variable pathsleft_stay_value, pathsright_stay_value : natural_127_2d(1 to 6, 1 to 2);  -- _#_value_#
     variable pathsleft_step_choice, pathsright_step_choice : natural_127_2d(0 to 7, 1 to 2);  -- _#_choice_#
+    variable pathsleft_stay_change_value, pathsright_stay_change_value : natural_7_1d(1 to 6);  -- _#_value
     variable pathsleft_low_0_choice, pathsright_low_0_choice : natural range 0 to 127;
     variable pathsleft_q_choices, pathsright_q_choices : natural_63_1d(1 to 2);  -- _choice_#
     variable pathsleft_room_left_choice, pathsabove_smallest_total_choice,
       pathsright_room_left_choice : natural range 0 to 63;
-    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- _#_choice
     variable pathsabove_memory_read_address_0_sum : natural range 1 to 8192;
     variable pathsabove_memory_read_address_0_choice : natural range 0 to 4095;
     variable pathsabove_memory_read_address_0_sum_2, pathsturn_cost_memory_read_address_0_sum : natural range 0 to 8192;
     variable pathsabove_memory_bank_choices : natural_8191_1d(1 to 2);  -- _choice_#
-    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
+    variable pathsabove_ready_top_choices : boolean_1d(1 to 2);  -- _choice_#
     variable pathsabove_total_choice : natural_31_1d(0 to 7);  -- _#_choice
+    variable pathsabove_beside_choice : natural_63_1d(0 to 7);  -- _#_choice
+    variable pathsabove_write_address_address_choice, pathsturn_cost_memory_bank_choice : natural range 0 to 8191;
     variable pathsabove_memory_write_words_0_choice : natural_31_2d(0 to 2, 1 to 3);  -- _#_choice_#
+    variable pathsabove_memory_write_words_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable pathsabove_memory_write_words_0_sum : natural_65535_1d(0 to 1);  -- _#_sum
-    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- _#_sum_2
-    variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
     variable pathsabove_memory_write_words_0_1_choice_4 : natural range 0 to 3;
     variable pathsabove_memory_write_words_0_2_sum, pathsturn_sum_memory_write_words_0_3_sum,
       pathsturn_cost_memory_write_words_0_1_sum, winners_best_cost_0_0_choice_2, map_low_0_0_choice,
       map_middle_0_0_choice, map_high_0_0_choice : natural range 0 to 255;
+    variable pathsabove_memory_write_words_0_all, pathsturn_sum_memory_write_words_0_all,
+      pathsturn_cost_memory_write_words_0_all, map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
+    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- _#_sum
+    variable pathsturn_sum_memory_write_words_0_sum_2 : natural_65535_1d(0 to 2);  -- _#_sum_2
+    variable pathsturn_cost_memory_write_words_0_0_sum : natural range 0 to 65535;
+    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- _#_sum_#
     variable winnerswinner1_best_cost_0_any : natural_255_2d(0 to 3, 1 to 2);  -- _#_any_#
+    variable winnerswinner1_best_index_0_choice : boolean_2d(0 to 3, 1 to 8);  -- _#_choice_#
+    variable winnerswinner1_best_index_0_value : boolean_2d(0 to 3, 1 to 12);  -- _#_value_#
+    variable winnerswinner2_best_index_0_value : boolean_2d(0 to 1, 1 to 5);  -- _#_value_#
+    variable winnerswinner2_best_index_0_choice_8 : boolean_1d(0 to 1);  -- _#_choice_8
+    variable winnerswinner3_best_index_0_0_values : boolean_1d(1 to 5);  -- _value_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable turn_ready_tag_row_start_is_equals : boolean_1d(1 to 2);  -- _equal_#
+    variable turn_ready_tag_row_start_choices : boolean_1d(1 to 3);  -- _choice_#
+    variable turn_ready_tag_row_start_alls : boolean_1d(1 to 2);  -- _all_#
+    variable map_counter_group_choices : natural_511_1d(2 to 3);  -- _choice_#
+    variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- _value_#
+    variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- _choice_#
+    variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- _value_#
+    variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- _choice_#
+    variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- _choice_#
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
+      map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- _value_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- _choice_#
-    variable pathsturn_sum_memory_write_words_0_sum : natural_190_1d(0 to 2);  -- _#_sum
-    variable winnerswinner1_best_cost_0_sum : natural_255_to_256_2d(0 to 3, 1 to 2);  -- _#_sum_#
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

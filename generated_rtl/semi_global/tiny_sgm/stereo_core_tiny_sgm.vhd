@@ -609,39 +609,39 @@ begin
       entry_order_turned_output_column_choice, forward_left_start_cost_0_value, sums_right_start_cost_0_value,
       sums_turn_writes_copy_0_choice, winnerswinner2_of_pair_0_0_choice_7, turn_order_falls_all,
       turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- _choice_#
     variable transform_read_column_inside_1_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable transform_read_column_inside_choice : boolean_2d(1 to 3, 1 to 2);  -- _#_choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 192);
-    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
-    variable winnerswinner1_of_pair_0_choice_7 : boolean_1d(0 to 5);  -- _2#_choice_7
-    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 5, 1 to 4);  -- _2#_value_#
-    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 2, 1 to 7);  -- _4#_choice_#
-    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 2, 1 to 10);  -- _4#_value_#
-    variable winnerswinner2_of_pair_0_0_values : boolean_1d(1 to 4);  -- _value_#
-    variable winnerswinner2_four_index_0_0_values : boolean_1d(1 to 10);  -- _value_#
-    variable winnerswinner2_four_index_0_0_choices : boolean_1d(1 to 6);  -- _choice_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- _choice_#
-    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- _choice_#
     variable transform_left_filter_feature_0_choice_193,
       transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable forward_left_room_choices, sums_right_room_choices : natural_31_1d(1 to 2);  -- _choice_#
-    variable forward_above_total_choice : natural_31_1d(0 to 11);  -- _#_choice
     variable transform_left_filter_feature_0_choice_194,
       transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195,
       transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196,
       transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
+    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- _choice_#
+    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_choice, sums_right_pair_choice : natural_63_1d(0 to 5);  -- _#_choice
+    variable forward_left_start_cost_0_choices, sums_right_start_cost_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable forward_left_room_choices, sums_right_room_choices : natural_31_1d(1 to 2);  -- _choice_#
     variable forward_left_cost_choice, forward_left_arrived_choice, sums_right_cost_choice,
       sums_right_arrived_choice : natural_63_2d(0 to 11, 1 to 2);  -- _#_choice_#
-    variable forward_left_start_cost_0_choices, sums_right_start_cost_0_choices : natural_255_1d(1 to 2);  -- _choice_#
+    variable forward_above_total_choice : natural_31_1d(0 to 11);  -- _#_choice
     variable forward_above_write_words_choice : natural_68_2d(0 to 1, 1 to 6);  -- _#_choice_#
+    variable winnerswinner1_of_pair_0_value : boolean_2d(0 to 5, 1 to 4);  -- _2#_value_#
+    variable winnerswinner1_of_pair_0_choice_7 : boolean_1d(0 to 5);  -- _2#_choice_7
+    variable winnerswinner1_of_four_0_choice : boolean_2d(0 to 2, 1 to 7);  -- _4#_choice_#
+    variable winnerswinner1_of_four_0_value : boolean_2d(0 to 2, 1 to 10);  -- _4#_value_#
+    variable winnerswinner2_of_pair_0_0_values : boolean_1d(1 to 4);  -- _value_#
+    variable winnerswinner2_four_index_0_0_values : boolean_1d(1 to 10);  -- _value_#
+    variable winnerswinner2_four_index_0_0_choices : boolean_1d(1 to 6);  -- _choice_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

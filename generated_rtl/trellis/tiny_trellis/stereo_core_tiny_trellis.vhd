@@ -448,23 +448,12 @@ begin
       entry_order_falls_any, entry_order_falls_all, entry_order_complete_any, entry_order_turned_output_column_choice,
       forward_far_1_any, decisions_write_words_0_all, lastwinner3_best_cost_0_0_is_less, traceback_state_all,
       turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
+    variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- _choice_#
     variable transform_read_column_inside_1_is_equals : boolean_1d(1 to 2);  -- _equal_#
     variable transform_read_column_inside_choice : boolean_2d(1 to 3, 1 to 2);  -- _#_choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 192);
-    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
-    variable forward_path_value : boolean_1d(0 to 11);  -- _#_value
-    variable forward_path_any : boolean_1d(1 to 11);  -- _#_any
-    variable forward_dropped_value : boolean_1d(0 to 5);  -- _#_value
-    variable forward_far_choice : boolean_1d(1 to 5);  -- _#_choice
-    variable lastwinner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
-    variable lastwinner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
-    variable traceback_decision_values : boolean_1d(1 to 3);  -- _value_#
-    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
-    variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable traceback_decision_choices : natural_3_1d(1 to 41);  -- _choice_#
-    variable transform_counter_group_choices : natural_15_1d(2 to 3);  -- _choice_#
-    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- _choice_#
     variable transform_left_filter_feature_0_choice_193,
       transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194,
@@ -473,18 +462,29 @@ begin
       transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196,
       transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
+    variable raster_place_group_choices : natural_15_1d(3 to 4);  -- _choice_#
+    variable raster_place_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
     variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_pair_cost_sum : natural_26_1d(0 to 11);  -- _#_sum
+    variable forward_path_value : boolean_1d(0 to 11);  -- _#_value
     variable forward_path_choice : natural_511_2d(0 to 11, 1 to 3);  -- _#_choice_#
+    variable forward_path_any : boolean_1d(1 to 11);  -- _#_any
+    variable forward_dropped_value : boolean_1d(0 to 5);  -- _#_value
     variable forward_dropped_choice : natural_511_1d(0 to 5);  -- _#_choice
     variable forward_decision_choice : natural_1_to_2_1d(0 to 5);  -- _#_choice
     variable forward_decision_choice_2 : natural_2_1d(1 to 5);  -- _#_choice_2
+    variable forward_far_choice : boolean_1d(1 to 5);  -- _#_choice
     variable last_path_0_2_difference : integer range -255 to 256;
+    variable lastwinner1_best_cost_0_is_less : boolean_1d(0 to 5);  -- _#_is_less
+    variable lastwinner2_best_cost_0_is_less : boolean_1d(0 to 2);  -- _#_is_less
     variable traceback_state_sum : natural range 1 to 256;
     variable traceback_state_sum_2 : natural range 3 to 130;
     variable traceback_state_sum_3 : natural range 255 to 510;
     variable traceback_state_choices : natural_255_1d(1 to 3);  -- _choice_#
+    variable traceback_decision_values : boolean_1d(1 to 3);  -- _value_#
+    variable traceback_decision_choices : natural_3_1d(1 to 41);  -- _choice_#
+    variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
     variable fill_out_disparity_0_choice : natural range 0 to 255;
   begin
     wait until rising_edge(clock);

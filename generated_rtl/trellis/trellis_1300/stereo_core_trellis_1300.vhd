@@ -522,66 +522,66 @@ begin
       forward_far_1_any, decisions_write_words_0_all, traceback_state_all, turn_order_falls_all,
       turn_order_complete_all, fill_out_disparity_0_all, map_counter_column_is_equal, map_counter_group_all,
       map_counter_group_differs, map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal,
-      map_window_complete_choice, map_of_low_0_b_below_a_choice_7, map_of_low_0_b_below_a_is_equal,
+      map_window_complete_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_7,
       map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice_7,
-      map_of_middle_0_b_below_a_choice_7, map_of_middle_0_b_below_a_is_equal, map_of_middle_0_c_below_a_value,
-      map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_choice_7, map_of_high_0_b_below_a_choice_7,
-      map_of_high_0_b_below_a_is_equal, map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7,
-      map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_choice_7, map_of_all_0_b_below_a_is_equal,
+      map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_7, map_of_middle_0_c_below_a_value,
+      map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_choice_7, map_of_high_0_b_below_a_is_equal,
+      map_of_high_0_b_below_a_choice_7, map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice_7,
+      map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_is_equal, map_of_all_0_b_below_a_choice_7,
       map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice_7 : boolean;
+    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 5;
+    variable transform_counter_group_choices, raster_place_group_choices,
+      map_counter_group_choices : natural_1023_1d(2 to 3);  -- _choice_#
     variable transform_left_filter_feature_0_values, transform_right_filter_feature_0_values,
       map_of_low_0_b_below_a_values, map_of_middle_0_b_below_a_values, map_of_high_0_b_below_a_values,
       map_of_all_0_b_below_a_values : boolean_1d(1 to 11);  -- _value_#
     variable transform_left_filter_feature_0_choice, transform_right_filter_feature_0_choice : boolean_1d(8 to 192);
+    variable transform_left_filter_feature_0_choice_193,
+      transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
+    variable transform_left_filter_feature_0_choice_194,
+      transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
+    variable transform_left_filter_feature_0_choice_195,
+      transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
+    variable transform_left_filter_feature_0_choice_196,
+      transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_counter_next_frame_choices : boolean_1d(1 to 2);  -- _choice_#
     variable raster_place_next_frame_choices, map_counter_next_frame_choices : boolean_1d(1 to 4);  -- _choice_#
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 2047;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 309;
+    variable forward_pair_cost_sum : natural_26_1d(0 to 63);  -- _#_sum
     variable forward_path_value : boolean_1d(0 to 63);  -- _#_value
+    variable forward_path_choice : natural_2047_2d(0 to 63, 1 to 3);  -- _#_choice_#
     variable forward_path_any : boolean_1d(1 to 63);  -- _#_any
     variable forward_dropped_value : boolean_1d(0 to 57);  -- _#_value
+    variable forward_dropped_choice : natural_2047_1d(0 to 57);  -- _#_choice
+    variable forward_decision_choice : natural_1_to_2_1d(0 to 57);  -- _#_choice
+    variable forward_decision_choice_2 : natural_2_1d(1 to 57);  -- _#_choice_2
     variable forward_far_choice : boolean_1d(1 to 57);  -- _#_choice
+    variable last_path_0_2_difference : integer range -1023 to 1024;
     variable lastwinner1_best_cost_0_is_less : boolean_1d(0 to 31);  -- _#_is_less
     variable lastwinner2_best_cost_0_is_less : boolean_1d(0 to 15);  -- _#_is_less
     variable lastwinner3_best_cost_0_is_less : boolean_1d(0 to 7);  -- _#_is_less
     variable lastwinner4_best_cost_0_is_less : boolean_1d(0 to 3);  -- _#_is_less
     variable lastwinner5_best_cost_0_is_less : boolean_1d(0 to 1);  -- _#_is_less
     variable traceback_state_is_equals : boolean_1d(1 to 3);  -- _equal_#
+    variable traceback_state_sum : natural range 1 to 256;
+    variable traceback_state_sum_2 : natural range 3 to 130;
+    variable traceback_state_sum_3 : natural range 255 to 510;
+    variable traceback_state_choices : natural_255_1d(1 to 3);  -- _choice_#
     variable traceback_decision_values : boolean_1d(1 to 15);  -- _value_#
+    variable traceback_decision_choices : natural_3_1d(1 to 223);  -- _choice_#
     variable turn_order_address_anys : boolean_1d(1 to 2);  -- _any_#
+    variable fill_out_disparity_0_choice, map_low_0_0_choice, map_middle_0_0_choice,
+      map_high_0_0_choice : natural range 0 to 255;
     variable map_of_column_0_b_below_a_values : boolean_1d(1 to 12);  -- _value_#
     variable map_of_column_0_b_below_a_choices : boolean_1d(1 to 9);  -- _choice_#
     variable map_of_column_0_c_below_a_values : boolean_1d(1 to 7);  -- _value_#
     variable map_of_column_0_c_below_a_choices : boolean_1d(1 to 20);  -- _choice_#
     variable map_of_column_0_c_below_b_choices : boolean_1d(1 to 6);  -- _choice_#
-    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
-    variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 5;
-    variable transform_counter_group_choices, raster_place_group_choices,
-      map_counter_group_choices : natural_1023_1d(2 to 3);  -- _choice_#
-    variable transform_left_filter_feature_0_choice_194,
-      transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
-    variable transform_left_filter_feature_0_choice_193,
-      transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_left_filter_feature_0_choice_195,
-      transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
-    variable transform_left_filter_feature_0_choice_196,
-      transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 2047;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 309;
-    variable forward_pair_cost_sum : natural_26_1d(0 to 63);  -- _#_sum
-    variable forward_path_choice : natural_2047_2d(0 to 63, 1 to 3);  -- _#_choice_#
-    variable forward_dropped_choice : natural_2047_1d(0 to 57);  -- _#_choice
-    variable forward_decision_choice : natural_1_to_2_1d(0 to 57);  -- _#_choice
-    variable forward_decision_choice_2 : natural_2_1d(1 to 57);  -- _#_choice_2
-    variable last_path_0_2_difference : integer range -1023 to 1024;
-    variable traceback_state_sum : natural range 1 to 256;
-    variable traceback_state_sum_2 : natural range 3 to 130;
-    variable traceback_state_sum_3 : natural range 255 to 510;
-    variable traceback_state_choices : natural_255_1d(1 to 3);  -- _choice_#
-    variable fill_out_disparity_0_choice, map_low_0_0_choice, map_middle_0_0_choice,
-      map_high_0_0_choice : natural range 0 to 255;
     variable map_sorted_low_0_choices, map_sorted_middle_0_choices, map_sorted_high_0_choices,
       map_largest_low_0_choices, map_smallest_high_0_choices : natural_255_1d(1 to 2);  -- _choice_#
     variable map_median_middle_0_choices, map_out_disparity_0_choices : natural_255_1d(1 to 4);  -- _choice_#
-    variable traceback_decision_choices : natural_3_1d(1 to 223);  -- _choice_#
+    variable map_low_0_all : boolean_1d(0 to 1);  -- _#_0_all
   begin
     wait until rising_edge(clock);
     -- no bit without a value, where an array has places for more

@@ -2,6 +2,9 @@
 #include "definition/phase_correlation/stress_pairs.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 #include "definition/phase_correlation/reference_model.hpp"
 
@@ -9,7 +12,9 @@ namespace stereo::phase_correlation {
 namespace {
 
 constexpr int kResponses = 6;
-constexpr int kRounds = 3;  // in which each filter comes once
+constexpr int kRounds = 3;               // in which each filter comes once
+constexpr int kWaves = 3;                // pairs of them
+constexpr int kWhole = 100, kMost = 80;  // in a hundred: pixels that match
 
 /// What the image of one filter is made of: as large as the filter.
 struct Pattern {
@@ -60,11 +65,31 @@ void draw(DeepImage& image, const std::vector<Pattern>& patterns, std::size_t& n
    }
 }
 
-/// One image matches the other one at a disparity, but for a part of the pixels.
-void match(DeepPair& pair, int disparity, bool is_left, Random& random) {
+/// Waves of each direction that has a filter, so short that the phases turn by nearly half a turn from a column to the
+/// next: the codes beside a pixel are its opposite.
+void draw_waves(DeepImage& image, int top, Random& random) {
+   constexpr int kDirections = 3;
+   const double across = random.between(0.36, 0.46), down = random.between(0.1, 0.4);  // periods a pixel
+   std::array<double, kDirections> phases;
+   for (double& phase : phases) phase = random.between(0, 1);
+   for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) {
+         double sum = 0;
+         for (int i = 0; i < kDirections; ++i)
+            sum += std::cos(2 * std::numbers::pi * (across * x + (i - 1) * down * y + phases[std::size_t(i)]));
+         image.at(x, y) = uint16_t(std::lround((sum / kDirections + 1) / 2 * top));
+      }
+}
+
+void draw_noise(DeepImage& image, int top, Random& random) {
+   for (uint16_t& pixel : image.pixels) pixel = uint16_t(random.below(top + 1));
+}
+
+/// So many pixels in a hundred of one image match those of the other one at a disparity.
+void match(DeepPair& pair, int disparity, bool is_left, int share, Random& random) {
    for (int y = 0; y < pair.left.height; ++y)
       for (int x = std::max(0, -disparity); x < std::min(pair.left.width, pair.left.width - disparity); ++x) {
-         if (random.percent(20)) continue;
+         if (!random.percent(share)) continue;
          if (is_left) pair.left.at(x + disparity, y) = pair.right.at(x, y);
          else pair.right.at(x, y) = pair.left.at(x + disparity, y);
       }
@@ -75,6 +100,7 @@ void match(DeepPair& pair, int disparity, bool is_left, Random& random) {
 std::vector<DeepPair> own_stress_pairs(const Matching& matching, int width, int height, Random& random) {
    std::vector<DeepPair> made;
    const int top = (1 << matching.pixel_bits) - 1;
+   const auto any_disparity = [&] { return matching.min_disparity + random.below(matching.disparities); };
    for (int scale = 0; scale < matching.phase_scales; ++scale) {
       std::vector<Pattern> patterns = patterns_of(scale);
       const int side = patterns.front().side;
@@ -87,10 +113,18 @@ std::vector<DeepPair> own_stress_pairs(const Matching& matching, int width, int 
             DeepPair pair{DeepImage(width, height), DeepImage(width, height)};
             draw(pair.left, patterns, left, top, random);
             draw(pair.right, patterns, right, top, random);
-            if (round > 0) match(pair, matching.min_disparity + random.below(matching.disparities), round == 1, random);
+            if (round > 0) match(pair, any_disparity(), round == 1, kMost, random);
             made.push_back(std::move(pair));
          }
       }
+   }
+   if (made.empty()) return made;
+   for (int i = 0; i < kWaves; ++i) {
+      DeepPair pair{DeepImage(width, height), DeepImage(width, height)};
+      draw_noise(pair.left, top, random);
+      draw_waves(pair.right, top, random);
+      match(pair, any_disparity(), true, kWhole, random);
+      made.push_back(std::move(pair));
    }
    return made;
 }

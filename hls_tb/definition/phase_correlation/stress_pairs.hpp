@@ -9,9 +9,9 @@
 
 namespace stereo::phase_correlation {
 
-/// Pairs of this size in which each filter response (P1) of each scale is as large as it can be, and as small: in
-/// other images the highest bits of the sums are seldom used. No pairs for images that are lower or narrower than a
-/// filter.
+/// Pairs of this size that use the highest bits, which other images seldom do: of the filters' sums, as each response
+/// (P1) of each scale is as large as it can be, and as small; of the differences between costs, as those beside the
+/// right disparity are nearly as large as they can be. No pairs for images that are lower or narrower than a filter.
 std::vector<DeepPair> own_stress_pairs(const Matching& matching, int width, int height, Random& random);
 
 }  // namespace stereo::phase_correlation

@@ -60,6 +60,36 @@ TEST(PhaseStressPairs, EachFilterIsAtBothItsEndsInBothImages) {
    }
 }
 
+/// The largest cost beside that of the winner, `side` disparities away, less the winner's.
+int steepest(const std::vector<DeepPair>& pairs, const Matching& matching, int side) {
+   int most = 0;
+   for (const DeepPair& pair : pairs) {
+      const CostVolume sums = window_sums(pixel_costs(pair.left, pair.right, matching), matching.window_px);
+      const DisparityMap best = winners(sums);
+      for (int y = 0; y < sums.height; ++y)
+         for (int x = 0; x < sums.width; ++x) {
+            const int d = best.at(x, y) - matching.min_disparity, beside = d + side;
+            if (beside >= 0 && beside < sums.disparities)
+               most = std::max(most, sums.at(x, y, beside) - sums.at(x, y, d));
+         }
+   }
+   return most;
+}
+
+TEST(PhaseStressPairs, CostsBesideTheWinnerAreNearTheLargest) {
+   for (const int scales : {1, 2, 3})
+      for (const int window : {5, 9}) {
+         Matching matching{DisparityCount{12}};
+         matching.phase_scales = scales;
+         matching.window_px = window;
+         Random random(test_seed());
+         const std::vector<DeepPair> pairs = own_stress_pairs(matching, 48, 30, random);
+         const int largest = code_cost(0, ~uint64_t(0), scales) * window * window;
+         for (const int side : {-1, 1})
+            EXPECT_GT(steepest(pairs, matching, side), largest * 3 / 5) << scales << " scales, window " << window;
+      }
+}
+
 TEST(PhaseStressPairs, AreNoneWhereNoFilterFits) {
    Random random(1);
    EXPECT_TRUE(own_stress_pairs(Matching{DisparityCount{6}}, 4, 40, random).empty());

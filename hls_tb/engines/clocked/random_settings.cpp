@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <iterator>
 #include <string_view>
 
 namespace stereo {
@@ -36,19 +35,13 @@ uint32_t beyond(const Setting& port, Random& random) {
 
 }  // namespace
 
-bool counts_as_the_limit(const Setting& port) {
-   constexpr std::string_view kClamped[] = {"p1",       "p2",        "p2_least",       "above_p1",
-                                            "above_p2", "drop_cost", "occlusion_cost", "support_threshold"};
-   return std::ranges::find(kClamped, std::string_view(port.name)) != std::end(kClamped) && port.largest > 0;
-}
-
 std::vector<uint32_t> random_settings(const SettingList& ports, Random& random, Limits limits) {
    std::vector<uint32_t> values;
    for (const Setting& port : ports) {
       const std::string_view name = port.name;
       if (port.held) {
          values.push_back(uint32_t(port.start));
-      } else if (limits == Limits::exceeded && counts_as_the_limit(port) && random.percent(30)) {
+      } else if (limits == Limits::exceeded && port.clamped && random.percent(30)) {
          values.push_back(beyond(port, random));
       } else {
          // Of the last disparity most are large: most frames shall search something.

@@ -9,10 +9,6 @@
 
 namespace stereo {
 
-/// Whether the core takes a value beyond the limits of a setting as the nearest limit: of penalties, costs and the
-/// threshold of the support filter (docs/integration.md).
-bool counts_as_the_limit(const Setting& port);
-
 enum class Limits { kept, exceeded };
 
 /// Random settings; what is held, as the size is, stays what the configuration says. Limits::exceeded: values beyond

@@ -48,6 +48,27 @@ const Setting* held_setting(const SettingList& ports, std::string_view name) {
    return nullptr;
 }
 
+/// That the ports of a core can bring; its own where it has no such ports.
+struct Sizes {
+   std::vector<int> widths, heights;
+};
+Sizes widths_and_heights(const CoreShape& core) {
+   const auto values = [&](const char* name, int own) {
+      const Setting* const port = held_setting(core.settings, name);
+      std::vector<int> all;
+      if (port == nullptr) return std::vector{own};
+      for (int value = port->least; value <= port->largest; value += port->step) all.push_back(value);
+      return all;
+   };
+   return {values("image_width", core.image.width_px), values("image_height", core.image.height_px)};
+}
+
+Image with_size(Image image, int width, int height) {
+   image.width_px = width;
+   image.height_px = height;
+   return image;
+}
+
 }  // namespace
 
 bool has_size_ports(const SettingList& ports) { return held_setting(ports, "image_width") != nullptr; }
@@ -63,6 +84,24 @@ Image random_size(const CoreShape& core, Random& random) {
    draw("image_width", size.width_px);
    draw("image_height", size.height_px);
    return size;
+}
+
+std::vector<Image> least_and_largest_sizes(const CoreShape& core) {
+   const auto [widths, heights] = widths_and_heights(core);
+   std::vector<Image> sizes;
+   for (const int width : {widths.front(), widths.back()})
+      for (const int height : {heights.front(), heights.back()}) sizes.push_back(with_size(core.image, width, height));
+   return sizes;
+}
+
+std::vector<Image> each_width_and_height(const CoreShape& core, Random& random) {
+   auto [widths, heights] = widths_and_heights(core);
+   shuffle(widths, random);
+   shuffle(heights, random);
+   std::vector<Image> sizes;
+   for (std::size_t i = 0; i < std::max(widths.size(), heights.size()); ++i)
+      sizes.push_back(with_size(core.image, widths[i % widths.size()], heights[i % heights.size()]));
+   return sizes;
 }
 
 CoreShape shape_at(CoreShape core, const Image& size) {

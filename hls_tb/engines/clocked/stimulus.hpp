@@ -162,6 +162,10 @@ Stimulus make_broken_stimulus(const std::string& config_name, const CoreShape& c
 bool has_size_ports(const SettingList& ports);
 /// A random size that the ports of a core can bring, its own where it has no such ports.
 Image random_size(const CoreShape& core, Random& random);
+/// The least and the largest width that the ports of a core can bring, each with the least and the largest height.
+std::vector<Image> least_and_largest_sizes(const CoreShape& core);
+/// Sizes that bring each width and each height at least once, in any order.
+std::vector<Image> each_width_and_height(const CoreShape& core, Random& random);
 /// What everybody must know of the core while it takes images of another size. The gap is of as many rows; the rest of
 /// the schedule stays that of the largest images.
 CoreShape shape_at(CoreShape core, const Image& size);

@@ -18,9 +18,10 @@ constexpr int kShortLives = 1000;     // clocks of them all
 constexpr int kLeastShortLives = 3;
 constexpr int kLeastWildFrames = 6;                             // so that each event comes
 constexpr int kFlushClocks = 8000, kBehindFlushClocks = 16000;  // for starts within the flush, and behind it
+constexpr int kSizeClocks = 20000;                              // for frames of each width and height
 constexpr int kResetClocks = 4000;                              // for resets within a map
 constexpr int kLeastResets = 3;
-constexpr int kLastShare = 3;              // of the clocks of all other streams, for the last one
+constexpr int kLastShare = 3;              // of the clocks of all other streams, for frames of the last one
 constexpr uint64_t kNextSeed = 1'000'003;  // from a stream to the one behind it: no seed that people try next
 
 /// Gives each of some things once before any comes again, in another order each time.
@@ -61,14 +62,15 @@ class Stress {
       return std::move(writer_);
    }
 
-   /// What random streams meet too seldom, in so many clocks or a few more.
+   /// What random streams meet too seldom, with frames of its classes in so many clocks or a few more.
    StimulusWriter make_last(std::size_t clocks, const std::vector<DeepPair>& own) {
       starts_behind_the_flush();
+      each_size();
       for (const DeepPair& images : own) {
          send(images);
          writer_.gap(schedule());
       }
-      last_frames(clocks);
+      last_frames(writer_.clocks.size() + clocks);
       writer_.drain(core_.schedule);
       return std::move(writer_);
    }
@@ -204,13 +206,32 @@ class Stress {
       }
    }
 
+   /// A frame of each width and of each height that the ports can bring. Behind those of the least and of the largest
+   /// ones as many rows without a start as the largest image has: a counter that is not at rest comes round. Of large
+   /// images only some.
+   void each_size() {
+      if (!has_size_ports(core_.settings)) return;
+      const std::size_t end = writer_.clocks.size() + kSizeClocks;
+      const auto take = [&](const std::vector<Image>& sizes, int rows_behind) {
+         for (const Image& size : sizes) {
+            if (writer_.clocks.size() >= end) return;
+            reset(size);
+            frame(StressClass::noise);
+            writer_.flush(core_.schedule);
+            writer_.random_records(rows_behind * size_.width_px);
+         }
+      };
+      take(least_and_largest_sizes(core_), core_.image.row_groups() + 2);
+      take(each_width_and_height(core_, random_), 2);
+      reset(core_.image);
+   }
+
    void last_frames(std::size_t end) {
       using enum StressClass;
       do {
-         for (const StressClass kind : {contrary, tiles, contrary, rough, contrary, enlarged, contrary}) {
+         for (const StressClass kind : {contrary, tiles, contrary, rough, contrary, bands, contrary, enlarged}) {
             frame(kind);
             writer_.gap(schedule());
-            if (!is_short() && kind == enlarged) break;
          }
       } while (writer_.clocks.size() < end);
       writer_.flush(core_.schedule);

@@ -13,9 +13,9 @@ namespace stereo {
 /// with settings of its own, and of other sizes, where the core has such ports. Of one whose frames are long, the first
 /// rows of each. That is a stream of some 25,000 clocks for a small core; streams of other seeds follow until there are
 /// `clocks` of them at least: what one misses, another one shows most often. The last one has what they meet too
-/// seldom: starts in the clock behind each row of the flush, the largest costs of a census that differ, and `own`, the
-/// pairs of the core's family, of the size of its images. docs/cosimulation.md has its score. Other seeds give other
-/// streams.
+/// seldom: starts in the clock behind each row of the flush, each size that the ports can bring, costs that lie as far
+/// apart as they can, and `own`, the pairs of the core's family, of the size of its images. docs/cosimulation.md has
+/// its score. Other seeds give other streams.
 Stimulus make_stress_stimulus(const std::string& config_name, const CoreShape& core, uint64_t seed,
                               std::size_t clocks = 1, const std::vector<DeepPair>& own = {});
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
 
 #include "engines/clocked/core_modules.hpp"
@@ -146,7 +147,7 @@ TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
          for (int i = 0; i < made.ports.count; ++i) {
             const Setting& port = made.ports.setting[i];
             uint32_t& value = limited.settings[change].values[std::size_t(i)];
-            if (!counts_as_the_limit(port)) continue;
+            if (!port.clamped) continue;
             const uint32_t limit = uint32_t(std::clamp(int(value), port.least, port.largest));
             beyond += value != limit;
             value = limit;
@@ -156,6 +157,24 @@ TEST(Stress, PenaltiesAndCostsGoBeyondTheirLimitsAndCountAsThese) {
       const std::vector<CoreOutput> shown = run_core(core, made), expected = run_core(core, limited);
       ASSERT_EQ(shown.size(), expected.size());
       for (std::size_t i = 0; i < shown.size(); ++i) ASSERT_EQ(shown[i].disparity, expected[i].disparity) << name;
+   }
+}
+
+TEST(Stress, EachWidthAndHeightComes) {
+   for (const char* const name : {"tiny_size", "tiny_dense_size"}) {
+      const CoreModule& core = core_module(name);
+      const Stimulus made = make_stress_stimulus(core.name, core.shape, test_seed());
+      const int count = made.ports.count;
+      std::set<uint32_t> widths, heights;
+      for (const SettingsChange& change : made.settings) {
+         widths.insert(change.values[std::size_t(count - 2)]);
+         heights.insert(change.values[std::size_t(count - 1)]);
+      }
+      const Setting &width = made.ports.setting[count - 2], &height = made.ports.setting[count - 1];
+      for (int value = width.least; value <= width.largest; value += width.step)
+         EXPECT_TRUE(widths.contains(uint32_t(value))) << name << ": width " << value;
+      for (int value = height.least; value <= height.largest; value += height.step)
+         EXPECT_TRUE(heights.contains(uint32_t(value))) << name << ": height " << value;
    }
 }
 

@@ -8,6 +8,7 @@ import re
 import selectors
 import shutil
 import subprocess
+import tempfile
 import time
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -190,3 +191,10 @@ def run_with_progress(
         last_words = f": {said}" if said else ""
         raise FlowError(f"{name} failed with exit code {code}{last_words}", EXIT_TOOL_FAILED)
     return time.monotonic() - started
+
+
+def require_core(config: str) -> None:
+    """Refuses a configuration whose clocked core is not built, in place of the step that needs it minutes later."""
+    with tempfile.TemporaryDirectory() as work:
+        command: list[Word] = [find_stereo_hls(), "trace", "--config", config, "--clocks", 10, "--out", work]
+        run(command, passes_errors=True)

@@ -90,7 +90,10 @@ def _covered(model: Model) -> str:
 
 
 def _sites(model: Model) -> str:
-    return ", ".join(f"{slope:.2f} and {beside:.0f} on {name}" for name, (slope, beside) in model.sites.items())
+    return ", ".join(
+        f"{name} {sites.of_lut:.2f}, {sites.of_flip_flop:.2f}, {sites.beside:.0f}"
+        for name, sites in model.sites.items()
+    )
 
 
 def _clock_rows(model: Model) -> list[str]:
@@ -113,9 +116,10 @@ def _netlists(found: Iterable[Compared]) -> list[Compared]:
 
 
 def summary(found: Sequence[Compared]) -> list[str]:
-    """Of LUTs, flip-flops, block RAMs and clock: how many cores, the median error, the bar, the worst."""
+    """Of LUTs, LUT sites, flip-flops, block RAMs and clock: how many cores, the median error, the bar, the worst."""
     netlists = _netlists(found)
     rows = [_summary_row("look-up tables", netlists, lambda one: one.luts_error, "12 %")]
+    rows.append(_summary_row("LUT sites", netlists, lambda one: one.lut_sites_error, "12 %"))
     rows.append(_summary_row("flip-flops", netlists, lambda one: one.flip_flops_error, "12 %"))
     counted = [one for one in netlists if one.block_rams_error is not None]
     wrong = [one for one in counted if one.block_rams_error]

@@ -20,6 +20,12 @@ class Compared:
     block_rams: int | None
     mhz: float | None
     flip_flops: int | None = None
+    lut_sites: int | None = None
+
+    @property
+    def lut_sites_error(self) -> float | None:
+        taken = self.core.lut_sites
+        return None if self.lut_sites is None or taken is None else self.lut_sites / taken - 1
 
     @property
     def flip_flops_error(self) -> float | None:
@@ -55,13 +61,14 @@ def compare(measured: Sequence[Implemented]) -> list[Compared]:
     for core in measured:
         if "device" not in core.result:
             continue
-        luts = mhz = flip_flops = None
+        luts = mhz = flip_flops = sites = None
         if is_modelled(core):
             left = others.setdefault(core.name, model.without(core.name))
             sizes = Core(cores.shape_of(core.options))
             luts, mhz = left.luts(sizes, core.target), left.mhz(sizes, core.target)
             flip_flops = left.flip_flops(sizes, core.target)
-        found.append(Compared(core, luts, _block_rams(core), mhz, flip_flops))
+            sites = left.lut_sites(luts or 0, left.flip_flop_sites(sizes, core.target) or 0, core.target)
+        found.append(Compared(core, luts, _block_rams(core), mhz, flip_flops, sites))
     return found
 
 

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from ..implementation.families.family import Family
 from ..implementation.targets import ROUTED, TARGETS, Device
 
 
@@ -22,12 +23,21 @@ def title_of(target: str) -> str:
 
 
 def lut_name(netlist: str) -> str:
-    return next(target.family.lut_name for name, target in TARGETS.items() if netlist_of(name) == netlist)
+    return _family(netlist).lut_name
 
 
 def covered_ffs(netlist: str) -> dict[str, int]:
     """{cell: flip-flops of the device that it leaves no place for}"""
-    return next(target.family.covered_ffs for name, target in TARGETS.items() if netlist_of(name) == netlist)
+    return _family(netlist).covered_ffs
+
+
+def logic_cell(netlist: str) -> str:
+    """What a LUT and a flip-flop share, or each of them takes alone; "" where flip-flops have places of their own."""
+    return _family(netlist).logic_cell
+
+
+def _family(netlist: str) -> Family:
+    return next(target.family for name, target in TARGETS.items() if netlist_of(name) == netlist)
 
 
 def device_of(target: str) -> Device | None:

@@ -18,7 +18,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..base import committed
 from ..implementation import figures
@@ -70,6 +70,12 @@ class Implemented:
     @property
     def flip_flops(self) -> int:
         return self.result["ffs"]
+
+    @property
+    def lut_sites(self) -> int | None:
+        """Of the device, also where it has too few of them."""
+        short = self.result.get("does_not_fit", {}).get(devices.logic_cell(devices.netlist_of(self.target)))
+        return short["used"] if short else self.result.get("lut_sites")
 
     @property
     def flip_flop_sites(self) -> int:
@@ -131,6 +137,15 @@ def implemented() -> list[Implemented]:
 
 def is_modelled(core: Implemented) -> bool:
     return core.options["family"] in cores.FAMILIES
+
+
+class Sites(NamedTuple):
+    """LUT sites of a routed design: for each look-up table, for each flip-flop where the two share a logic cell, and
+    those beside, as what leads to carry chains takes."""
+
+    of_lut: float
+    of_flip_flop: float
+    beside: float
 
 
 class Model:
@@ -230,27 +245,25 @@ class Model:
         return round(own + covered + core.lut_ram_covered_ffs(family))
 
     @cached_property
-    def sites(self) -> dict[str, tuple[float, float]]:
-        """{family: LUT sites of a routed design for each look-up table, and those beside}: with flip-flops that have a
-        site for themselves, and what leads to carry chains."""
+    def sites(self) -> dict[str, Sites]:
+        """By family, of its routed cores."""
         found = {}
         for family in devices.netlists():
+            shares = bool(devices.logic_cell(family))
             routed = [
-                (core.luts, core.result["lut_sites"])
+                (core.luts, core.flip_flop_sites if shares else 1, core.lut_sites)
                 for core in self._measured
-                if devices.netlist_of(core.target) == family and "lut_sites" in core.result
+                if devices.netlist_of(core.target) == family and core.lut_sites
             ]
             if routed:
-                slope, beside = fit([[luts / sites, 1 / sites] for luts, sites in routed], [1.0] * len(routed))
-                found[family] = slope, beside
+                of_lut, other = fit([[luts / sites, more / sites] for luts, more, sites in routed], [1.0] * len(routed))
+                found[family] = Sites(of_lut, other, 0.0) if shares else Sites(of_lut, 0.0, other)
         return found
 
-    def lut_sites(self, luts: float, target: str) -> int | None:
-        """Of a design with so many look-up tables."""
-        if devices.netlist_of(target) not in self.sites:
-            return None
-        slope, beside = self.sites[devices.netlist_of(target)]
-        return max(1, round(slope * luts + beside))
+    def lut_sites(self, luts: float, flip_flops: float, target: str) -> int | None:
+        """Of a design with so many look-up tables and flip-flops."""
+        sites = self.sites.get(devices.netlist_of(target))
+        return sites and max(1, round(sites.of_lut * luts + sites.of_flip_flop * flip_flops + sites.beside))
 
     @cached_property
     def _clocked(self) -> list[str]:

@@ -132,7 +132,8 @@ class Planner:
             if "lut_sites" in netlist.result:
                 found = replace(found, lut_sites=Number(netlist.result["lut_sites"], netlist.name))
         if found.lut_sites is None and found.luts:
-            found = replace(found, lut_sites=_estimated(self.model.lut_sites(found.luts.value, target)))
+            registers = found.flip_flop_sites.value if found.flip_flop_sites else 0
+            found = replace(found, lut_sites=_estimated(self.model.lut_sites(found.luts.value, registers, target)))
         return replace(found, mhz=self._clock(target, measured) or found.mhz)
 
     def _clock(self, target: str, measured: Mapping[str, Implemented]) -> Number | None:

@@ -34,6 +34,9 @@ class Family:
     ffs: ClassVar[tuple[str, ...]]
     # How many flip-flops of the device a cell leaves no place for, by its name.
     covered_ffs: ClassVar[dict[str, int]] = {}
+    # nextpnr's cell that a LUT and the flip-flop behind it share, and that either takes alone; "": places for
+    # flip-flops are others than those for LUTs, so that sites are a matter of LUTs.
+    logic_cell: ClassVar[str] = ""
     block_rams: ClassVar[tuple[str, ...]]
     words: ClassVar[dict[str, str]] = {}  # for nextpnr's names of cells, where a device has too few of them
 

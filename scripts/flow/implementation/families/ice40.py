@@ -21,14 +21,15 @@ class Ice40(RoutedFamily):
     options = ("--pcf-allow-unconstrained",)
     packer, packer_beside = "icepack", "yowasp-icepack"
     routed_option, bit_stream = "--asc", ".bin"
-    words = {"ICESTORM_LC": "logic cells", "ICESTORM_RAM": "block RAMs"}
+    logic_cell = "ICESTORM_LC"
+    words = {logic_cell: "logic cells", "ICESTORM_RAM": "block RAMs"}
 
     def constraint_options(self, file: str) -> tuple[str, ...]:
         return ("--pcf", file)
 
     def lut_sites(self, utilization: Utilization) -> int:
         """Logic cells: a LUT, a carry and a flip-flop."""
-        return utilization["ICESTORM_LC"]["used"]
+        return utilization[self.logic_cell]["used"]
 
     def registers(self, module: dict[str, Any]) -> dict[str, int | str]:
         """nextpnr packs a flip-flop into the logic cell of the LUT before it, which alone reads the LUT, or into one of

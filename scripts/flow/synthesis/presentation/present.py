@@ -39,8 +39,7 @@ _NAME = re.compile(r"\b[a-z]\w*\b")
 
 def present(text: str) -> str:
     """Of what the lowering writes. The same again of what is presented already."""
-    written = expand(text)
-    scalar = core.read(written)
+    scalar = _in_order_of_use(core.read(expand(text)))
     presented = core.text(_folded(scalar), True)
     if _content(core.read(expand(presented))) != _content(scalar):
         raise FlowError("the presented VHDL does not expand to what was written")
@@ -59,6 +58,15 @@ def expand(text: str) -> str:
 
 def is_presented(text: str) -> bool:
     return core.MARK in text
+
+
+def _in_order_of_use(scalar: Core) -> Core:
+    """Its variables in the order in which statements name them, whatever the order of their declarations: that which
+    the lowering wrote is lost where presented VHDL is presented again."""
+    used = dict.fromkeys(word for words in tree.all_words(scalar.body) for word in words)
+    kinds = _kinds(scalar.variables)
+    ordered = [name for name in used if name in kinds] + sorted(kinds.keys() - used.keys())
+    return replace(scalar, variables=[Names(kinds[name], [name]) for name in ordered])
 
 
 def _content(scalar: Core) -> object:
