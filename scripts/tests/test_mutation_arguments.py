@@ -10,7 +10,7 @@ import pytest
 from conftest import need
 from flow.cosim import checker, vectors
 from flow.cosim.simulators import CoreSimulation
-from flow.mutation import judges
+from flow.mutation import arguments, judges, mutants
 from flow.simulation.simulators import SIMULATORS
 from flow.synthesis import manifest
 from flow.synthesis.presentation import scalars
@@ -128,6 +128,15 @@ SAME = {
 }
 
 
+def test_each_argument_speaks_of_a_fault():
+    """One whose pattern fits no fault argues nothing."""
+    argued = set()
+    for config in SAME:
+        for file in scalars.files(manifest.core_files(config)):
+            argued |= {arguments.of(mutant) for mutant in mutants.mutants_of(file)}
+    assert not [argument.test for argument in arguments.ARGUMENTS if argument not in argued]
+
+
 @pytest.fixture(scope="module")
 def noticed(tmp_path_factory):
     """The changes of a configuration that streams show. All are played at once; only where that shows, each alone."""
@@ -157,6 +166,12 @@ def test_rows_outside_may_not_where_a_check_compares_costs(tmp_path):
 @pytest.mark.parametrize("config", ["tiny", "tiny_phase"])
 def test_a_record_in_the_clock_of_a_reset_changes_nothing(noticed, config):
     assert "a record in the clock of a reset" not in noticed(config)
+
+
+def test_a_start_in_the_clock_of_a_reset_does_not_count(tmp_path):
+    start = {r"(transform_filtering_\d+_start_of_frame) <= false;": r"\2 <= true;"}
+    assert not shows("tiny_phase", [Change(start, True)], tmp_path / "start")
+    assert shows("tiny_phase", [Change(start, True), valid_at_reset(r"transform_filtering_\d")], tmp_path / "valid")
 
 
 def test_a_pixel_that_is_not_held_back_as_long_as_the_others_shows(tmp_path):

@@ -19,7 +19,8 @@ from ..base.tools import Word, find_tool, run
 
 DATA = "coverage.dat"  # that Verilator's program writes
 FILES = (DATA, "coverage.json", "coverage.info", "coverage")
-SECONDS = 30  # for the proof of a bit
+MERGING_SECONDS = 600  # for the merging of registers, which proves most of them at once
+SECONDS = 5  # for the proof of one of the others
 _UNNAMED = re.compile(r"n\d+_\w+")
 _DECLARED = re.compile(r"^  (?:wire|reg) (?:\[\d+:0\] )?(\w+) *;.*$", re.MULTILINE)
 # What decides a choice, below the place of its `if`.
@@ -73,9 +74,11 @@ def _toggles(data: str, top: str) -> dict[str, int]:
     return counts
 
 
-def _stays(verilog: str, top: str, bit: str, work: Path) -> bool:
-    """Whether a bit is proved to stay what it is from the second clock on, behind the first reset."""
-    start = _module(verilog, top)
+def _that_stay(verilog: str, top: str, bits: list[str], work: Path) -> set[str]:
+    """Those of some bits that are proved to stay what they are from the second clock on, behind the first reset."""
+    if not bits:
+        return set()
+    start, count = _module(verilog, top), len(bits)
     header = re.compile(rf"module {top}\s*\((.*?)\);", re.DOTALL).search(verilog, start)
     assert header is not None
     inputs = ", ".join(" ".join(port) for port in re.findall(r"(input)\s+(\[\d+:0\])?\s*(\w+)", header[1]))
@@ -84,14 +87,28 @@ def _stays(verilog: str, top: str, bit: str, work: Path) -> bool:
     )
     inputs = inputs.replace(" reset", " any_reset")
     looks = (
-        "  reg [1:0] age = 0;\n  reg before = 0;\n  wire reset = any_reset | (age == 0);\n"
-        f"  always @(posedge clock) begin before <= {bit}; if (age != 2) age <= age + 1; end\n"
-        f"  assign moved = (age == 2) & ({bit} != before);\n"
+        f"  reg [1:0] age = 0;\n  reg [{count - 1}:0] before = 0;\n  wire reset = any_reset | (age == 0);\n"
+        f"  wire [{count - 1}:0] now = {{{', '.join(reversed(bits))}}};\n"
+        "  always @(posedge clock) begin before <= now; if (age != 2) age <= age + 1; end\n"
+        f"  assign moved = (now ^ before) & {{{count}{{age == 2}}}};\n"
     )
     body, _, rest = verilog[header.end() :].partition("endmodule")
-    made = f"{verilog[:start]}module moves({inputs}, output moved);\n{outputs}\n{body}{looks}endmodule{rest}"
+    ports = f"{inputs}, output [{count - 1}:0] moved"
+    made = f"{verilog[:start]}module moves({ports});\n{outputs}\n{body}{looks}endmodule{rest}"
     aiger.write(made, "moves", work, starts_at_zero=True)
-    return "Property proved" in aiger.ask(f"read design.aig; scleanup; lcorr; scorr; pdr -T {SECONDS}", work)
+
+    proved: set[int] = set()
+    # First by the merging of equal registers, which leaves a constant where a bit stays; scorr takes minutes.
+    for merging in ("scleanup; lcorr", "scleanup; lcorr; scorr"):
+        if not aiger.ask(f"read design.aig; {merging}; write merged.aig", work, MERGING_SECONDS):
+            break
+        proved |= {number for number, edge in enumerate(aiger.outputs(work / "merged.aig")) if edge == 0}
+        if len(proved) == count:
+            break
+    for number in set(range(count)) - proved:
+        if aiger.prove(f"read design.aig; cone -s -O {number}; scleanup", work, SECONDS, MERGING_SECONDS).proved:
+            proved.add(number)
+    return {bits[number] for number in proved}
 
 
 def read(data: Path, verilog: Path, vhdl: Mapping[str, str], top: str, work: Path) -> Coverage:
@@ -111,7 +128,7 @@ def read(data: Path, verilog: Path, vhdl: Mapping[str, str], top: str, work: Pat
     if not bits:
         raise FlowError(f"Verilator's coverage {data} counts no register of {top}", EXIT_TOOL_FAILED)
     still = [name for name, count in bits.items() if count == 0]
-    proved = [name for name in still if _stays(text, top, name, work)]
+    proved = _that_stay(text, top, still, work)
     branches: dict[tuple[str, int], bool] = {}  # went both ways
     for file, line, decides in _CHOICE.findall(text[_module(text, top) :]):
         if file in vhdl and decides in counts:
@@ -125,7 +142,7 @@ def read(data: Path, verilog: Path, vhdl: Mapping[str, str], top: str, work: Pat
     return {
         "register_bits": len(bits),
         "never_moved": [_vhdl_name(name) for name in still if name not in proved],
-        "cannot_move": [_vhdl_name(name) for name in proved],
+        "cannot_move": [_vhdl_name(name) for name in still if name in proved],
         "branches": len(branches),
         "never_both_ways": one_way,
     }

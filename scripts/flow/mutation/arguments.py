@@ -34,6 +34,12 @@ ARGUMENTS = (
         "test_a_record_in_the_clock_of_a_reset_changes_nothing",
     ),
     Argument(
+        r"transform_filtering_\d+_start_of_frame <= false;",
+        r"false -> true$|assignment dropped",
+        "a start of frame counts with a valid record only, and in the clock of a reset none is valid",
+        "test_a_start_in_the_clock_of_a_reset_does_not_count",
+    ),
+    Argument(
         r"(entry_next_tag|delay_tag|rows_\w*tag|slice0_tag_\d+|slice0(shift|cost\w*|window)_tag)_valid <= false;",
         r"false -> true$|assignment dropped",
         "a column in the clock of a reset is none of a map, and such columns come between rows, too",
@@ -105,8 +111,15 @@ ARGUMENTS = (
         "tiny_phase",
     ),
     Argument(
-        r"if raster_place_group_all then|raster_place_next_frame_choice_2 := .*;",
-        r"raster_place_group_all\) \| 2$|and -> or",
+        r"if raster_place_group_all then",
+        r"raster_place_group_all\) \| 2$",
+        "starts of frame leave the transform at least four rows apart, and a next frame waits for two rows",
+        "test_no_start_of_frame_comes_while_a_next_frame_waits",
+        "tiny_phase",
+    ),
+    Argument(
+        r"raster_place_next_frame_choice_2 := .*;",
+        r"and -> or",
         "starts of frame leave the transform at least four rows apart, and a next frame waits for two rows",
         "test_no_start_of_frame_comes_while_a_next_frame_waits",
         "tiny_phase",
@@ -123,7 +136,7 @@ ARGUMENTS = (
 
 
 def of(mutant: Mutant) -> Argument | None:
-    file, statement, change = mutant.key.split(" | ")[:3]
+    file, statement, change = mutant.key.split(" | ", 2)
     for argument in ARGUMENTS:
         is_of_core = not argument.core or file == f"{rtl.core_entity(argument.core)}.vhd"
         if is_of_core and re.fullmatch(argument.statement, statement) and re.search(argument.change, change):
