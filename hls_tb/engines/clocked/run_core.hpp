@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engines/clocked/clocked_core.hpp"
+#include "engines/clocked/core_outputs.hpp"
 #include "engines/clocked/stimulus.hpp"
 
 namespace stereo {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// What goes into a core and what comes out of it, clock by clock.
+// What goes into a core, clock by clock, and what must come out.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "definition/disparity_map.hpp"
 #include "definition/gray_image.hpp"
+#include "engines/clocked/core_outputs.hpp"
 #include "engines/clocked/core_shape.hpp"
 #include "engines/clocked/random_settings.hpp"
 #include "scene/random.hpp"
@@ -40,22 +40,6 @@ struct Stimulus {
    SettingList ports = {};                     ///< of the settings; none where the core has no such ports
    std::vector<SettingsChange> settings = {};  ///< in ascending order; without any the ports show what the row says
    int pixel_bits = 8;                         ///< of a grey value
-};
-
-/// A valid output of a core: one column of a group of rows.
-struct CoreOutput {
-   uint64_t clock = 0;  ///< 0-based index of the clock() call that returned it
-   int x = -1, y = -1;  ///< of lane 0, by start of frame and ends of lines, not by the clock
-   int frame = -1;      ///< from 0; -1 before the first start of frame
-   // [p]: at (x, y + p)
-   std::array<uint16_t, kMostPixels> disparity{};
-   std::array<bool, kMostPixels> pixel_valid{};
-   std::array<uint8_t, kMostPixels> confidence{};
-   std::array<bool, kMostPixels> filled{};
-   bool start_of_frame = false;
-   bool end_of_line = false;
-
-   bool operator==(const CoreOutput&) const = default;
 };
 
 struct Expected {
@@ -203,21 +187,5 @@ void set_frames(Stimulus& stimulus, const SettingList& ports, Random& random, Ne
 /// the limits.
 void set_random_frames(Stimulus& stimulus, const SettingList& ports, uint64_t seed,
                        const std::vector<SizeChange>& sizes, Limits limits = Limits::kept);
-
-/// Gives the outputs of a core their places, in the order in which they come.
-class OutputLocator {
-  public:
-   explicit OutputLocator(int pixels_per_clock) : pixels_per_clock_(pixels_per_clock) {}
-   CoreOutput locate(uint64_t clock, const PostOutput& output);
-   CoreOutput locate(uint64_t clock, const StereoOutput& output) { return locate(clock, PostOutput{output, {}, {}}); }
-
-  private:
-   int pixels_per_clock_;
-   CoreOutput last_;
-};
-
-/// One disparity map a frame. Throws std::runtime_error unless every frame has each pixel exactly once, in raster
-/// order.
-std::vector<DisparityMap> collect_frames(std::span<const CoreOutput> outputs, const CoreShape& core);
 
 }  // namespace stereo

@@ -97,16 +97,18 @@ def _that_stay(verilog: str, top: str, bits: list[str], work: Path) -> set[str]:
     made = f"{verilog[:start]}module moves({ports});\n{outputs}\n{body}{looks}endmodule{rest}"
     aiger.write(made, "moves", work, starts_at_zero=True)
 
-    proved: set[int] = set()
     # First by the merging of equal registers, which leaves a constant where a bit stays; scorr takes minutes.
-    for merging in ("scleanup; lcorr", "scleanup; lcorr; scorr"):
-        if not aiger.ask(f"read design.aig; {merging}; write merged.aig", work, MERGING_SECONDS):
+    proved: set[int] = set()
+    graph = "design"
+    for merging in ("lcorr", "scorr"):
+        if len(proved) == count or not aiger.ask(
+            f"read {graph}.aig; scleanup; {merging}; write {merging}.aig", work, MERGING_SECONDS
+        ):
             break
-        proved |= {number for number, edge in enumerate(aiger.outputs(work / "merged.aig")) if edge == 0}
-        if len(proved) == count:
-            break
-    for number in set(range(count)) - proved:
-        if aiger.prove(f"read design.aig; cone -s -O {number}; scleanup", work, SECONDS, MERGING_SECONDS).proved:
+        graph = merging
+        proved = {number for number, edge in enumerate(aiger.outputs(work / f"{graph}.aig")) if edge == 0}
+    for number in sorted(set(range(count)) - proved):
+        if aiger.prove(f"read {graph}.aig; cone -s -O {number}; scleanup", work, SECONDS, MERGING_SECONDS).proved:
             proved.add(number)
     return {bits[number] for number in proved}
 
